@@ -1,0 +1,100 @@
+/* legacygl: OpenGL 1.1's fixed-function pipeline with display lists on OpenGL ES 3 / WebGL 2.
+
+   Everything a program draws with is declared by the platform's own <GL/gl.h> and <GL/glu.h>; this
+   header adds what those lack: making a context. It is C.
+
+   What is implemented so far, and what is not, is listed at the end of this header. */
+#ifndef LEGACYGL_H
+#define LEGACYGL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A context: all of OpenGL 1.1's state, its lists and textures. Used from one thread. */
+typedef struct LegacyGLContext LegacyGLContext;
+
+/** Finds an OpenGL ES 3 function by its name ("glDrawArrays"), as eglGetProcAddress does. */
+typedef void* (*LegacyGLLoader)(const char* name);
+
+/** Where a context draws. */
+typedef enum LegacyGLTarget {
+    /** Straight into the window's default framebuffer; nothing is kept after a present. */
+    LEGACYGL_TARGET_WINDOW = 0,
+    /** Into colour, depth and stencil of its own that keep their contents; present copies them out. */
+    LEGACYGL_TARGET_OWN = 1
+} LegacyGLTarget;
+
+/** Makes a context for the OpenGL ES 3 / WebGL 2 context that is current, and makes it current.
+    loader: finds the ES functions; NULL on the web, where they are linked.
+    width, height: the target's size in pixels, at least 1.
+    Returns NULL when the size is not positive or a needed function is missing; legacygl_last_message()
+    then says which. The ES context must stay current while this context is used, and its state belongs
+    to legacygl from then on. */
+LegacyGLContext* legacygl_create(LegacyGLLoader loader, int width, int height, LegacyGLTarget target);
+
+/** Frees the context, its lists, textures and ES objects. NULL is allowed. */
+void legacygl_destroy(LegacyGLContext* context);
+
+/** Makes the context the one that gl* calls go to; NULL: none, and gl* calls then do nothing. */
+void legacygl_make_current(LegacyGLContext* context);
+
+/** Returns the context that gl* calls go to, or NULL. */
+LegacyGLContext* legacygl_current(void);
+
+/** Tells the target's new size in pixels (at least 1). An own target keeps what fits; the viewport is
+    not changed, as a window system does not change it either. */
+void legacygl_resize(LegacyGLContext* context, int width, int height);
+
+/** Finishes the frame: draws what is pending and, from an own target, copies the picture into the
+    default framebuffer. Swapping the window's buffers stays the caller's. */
+void legacygl_present(LegacyGLContext* context);
+
+/** Tells that the ES context is lost: its objects are forgotten, calls go on recording state. */
+void legacygl_context_lost(LegacyGLContext* context);
+
+/** Tells that the ES context is back (and current): lists and textures are built again when next used.
+    What an own target showed is gone. */
+void legacygl_context_restored(LegacyGLContext* context);
+
+/** Returns what the last failed legacygl_* call complained about, or "". */
+const char* legacygl_last_message(void);
+
+/** Counts since the last legacygl_reset_counters. */
+typedef struct LegacyGLCounters {
+    uint64_t draw_calls;      /**< ES draw calls. */
+    uint64_t vertices;        /**< Vertices (or indices) those draw calls named. */
+    uint64_t programs;        /**< Shader programs linked. */
+    uint64_t uploads;         /**< Buffer and texture uploads. */
+    uint64_t upload_bytes;    /**< Bytes in those. */
+    uint64_t uniform_uploads; /**< Uniform calls. */
+} LegacyGLCounters;
+
+/** Returns the context's counters. */
+LegacyGLCounters legacygl_counters(const LegacyGLContext* context);
+
+/** Sets all counters to zero. */
+void legacygl_reset_counters(LegacyGLContext* context);
+
+/** One captured call. */
+typedef struct LegacyGLCall {
+    const char* name;      /**< "glTranslatef"; static. */
+    int list_depth;        /**< 0: the program called it; n: it ran inside n nested lists. */
+    int argument_count;    /**< How many of arguments are set; a pointer's pointees count where short (matrices). */
+    double arguments[16];  /**< The arguments as numbers, in order. */
+    float modelview[16];   /**< The modelview matrix on top when the call was made, column-major. */
+} LegacyGLCall;
+
+/** Begins noting every gl* call, also those that lists make; what was noted before is dropped. */
+void legacygl_capture_begin(LegacyGLContext* context);
+
+/** Ends noting. Returns the calls, valid until the next capture begins or the context is destroyed. */
+const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

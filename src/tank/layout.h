@@ -1,0 +1,52 @@
+#pragma once
+
+#include "tank/joint.h"
+#include "tank/part.h"
+
+#include <array>
+#include <glm/vec3.hpp>
+
+namespace tank {
+
+/// Says where a part hangs, about what it turns, and how its mesh lies in it. Metres and radians.
+///
+///     joint(part) = joint(parent) * T(pivot) * R(axis, angle of the part's joint)
+///     mesh(part)  = joint(part) * R_y(mesh_yaw) * T(mesh_offset)
+///
+/// Children hang in the joint's frame; only the part's own mesh is moved by the yaw and the offset.
+struct PartPlacement
+{
+    Part parent;           ///< the part itself for the body
+    glm::vec3 pivot;       ///< in the parent's joint frame; for the body from the tank's position
+    glm::vec3 axis;        ///< unit length; along X, Y or Z, either way
+    glm::vec3 mesh_offset; ///< from the pivot to the mesh's origin, before mesh_yaw turns it
+    double mesh_yaw;       ///< about +Y
+    MeshKind mesh;
+    Joint joint;
+};
+
+/// Holds the tree of parts. Precondition everywhere: a parent comes before its children, the body is the
+/// root.
+struct Layout
+{
+    std::array<PartPlacement, PART_COUNT> parts;
+
+    constexpr const PartPlacement& operator[](Part part) const { return parts[index_of(part)]; }
+    constexpr PartPlacement& operator[](Part part) { return parts[index_of(part)]; }
+};
+
+/// Returns the layout of our own tank: standing on y = 0, gun along +Z, left along +X.
+Layout default_layout();
+
+/// Calls visit(child) for every part that hangs directly on `parent`, in the order of Part.
+/// Recursing into each child walks the whole tree, as drawing does.
+template <class Visit> void for_each_child(const Layout& layout, Part parent, Visit&& visit)
+{
+    for (Part part : ALL_PARTS) {
+        if (part != parent && layout[part].parent == parent) {
+            visit(part);
+        }
+    }
+}
+
+} // namespace tank

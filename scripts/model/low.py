@@ -1,0 +1,104 @@
+"""The far tank: the same silhouettes for a few hundred triangles, in the same frames."""
+import math
+
+from mathutils import Vector
+
+from frame import CUPOLA, DECK, TRACK_W, TRACK_X, TRUNNION, WHEEL_R
+from hull import glacis, yz
+from mesh import SIDE, TOP, Mesh, at, turn
+from running import ACROSS, END_R, END_Y, IDLER_Z
+from shapes import box, disc, drum, lathe, ngon, prism, rect, stack, tube
+from turret import BELT, BOTTOM, SHOULDER, UP
+
+
+def body():
+    m = Mesh('tankbodyLow')
+    m.begin()
+    prism(m, yz((-3.70, 1.16), (-3.62, 1.60), (1.85, 1.60), (3.62, glacis(3.62)), (3.62, 1.07)), -1.69, 1.69, SIDE)
+    prism(m, yz((-3.52, 0.70), (-3.30, 0.48), (2.98, 0.48), (3.75, 1.02), (3.62, 1.11), (-3.60, 1.17)), -1.03, 1.03, SIDE)
+
+    def side():
+        m.begin()
+        prism(m, yz((-3.40, 0.98), (-2.26, 0.52), (3.06, 0.50), (3.40, 0.84), (3.40, 1.26), (3.10, 1.44), (-3.40, 1.44)), 1.66, 1.775, SIDE, cap0=False)
+        # the track: what hangs out below the skirts, as a thick band
+        x0, x1 = TRACK_X - TRACK_W / 2, TRACK_X + TRACK_W / 2
+        o = [(-3.12, 1.10), (-3.47, 0.86), (-3.33, 0.42), (-2.45, 0.0), (2.45, 0.0), (3.33, 0.42), (3.47, 0.86), (3.12, 1.10)]
+        i = [(-3.12, 1.02), (-3.38, 0.82), (-3.26, 0.48), (-2.42, 0.08), (2.42, 0.08), (3.26, 0.48), (3.38, 0.82), (3.12, 1.02)]
+        m.begin(smooth=20)
+        for k in range(len(o) - 1):
+            a, b, c, d = o[k], o[k + 1], i[k + 1], i[k]
+
+            def at3(p, x):
+                return (x, p[1], p[0])
+            m.poly([at3(a, x1), at3(b, x1), at3(b, x0), at3(a, x0)])
+            m.poly([at3(d, x0), at3(c, x0), at3(c, x1), at3(d, x1)])
+            m.poly([at3(d, x1), at3(c, x1), at3(b, x1), at3(a, x1)])
+            m.poly([at3(a, x0), at3(b, x0), at3(c, x0), at3(d, x0)])
+        for z in (-IDLER_Z, IDLER_Z):
+            m.begin()
+            disc(m, END_R, 1.60, 6, at(0, END_Y, z) @ ACROSS)
+    m.both(side)
+    return m
+
+
+def turret():
+    m = Mesh('tankturretLow')
+    m.begin(smooth=20)
+    pick = [1, 2, 4, 7]
+
+    def ring(half):
+        h = [half[i] for i in pick]
+        return [(z, x) for x, z in h + [(-x, z) for x, z in h[::-1]]]
+    belt = [(x + 0.03, z) for x, z in BELT]
+    stack(m, [(ring(BOTTOM), 0.0), (ring(belt), 0.37), (ring(SHOULDER), 0.80)], TOP)
+    m.begin()
+    box(m, (-1.10, 0.29, -2.73), (1.10, 0.68, -2.15), bottom=True)
+    drum(m, 0.38, 0.78, 0.94, 6, at(CUPOLA[0], 0, CUPOLA[2]) @ UP, cap0=False)
+    box(m, (-0.98, 0.78, 0.18), (-0.60, 1.02, 0.66))
+    box(m, (-0.24, 0.78, 0.06), (0.04, 1.05, 0.34))
+    for x in (1.02, -1.02):
+        p = [(x - 0.02, 0.79, -2.08), (x + 0.02, 0.79, -2.08), (x, 0.79, -2.12)]
+        t = (x, 2.75, -2.10)
+        for i in range(3):
+            m.poly([p[i], t, p[(i + 1) % 3]][::-1])
+    return m
+
+
+def main_gun():
+    m = Mesh('tankmaingunLow')
+    y = TRUNNION[1]
+    m.begin(smooth=20)
+    stack(m, [(rect(-0.36, -0.28, 0.36, 0.28), 1.20), (rect(-0.33, -0.22, 0.33, 0.22), 1.64), (rect(-0.19, -0.15, 0.19, 0.15), 1.89)],
+          at(0, y, 0), cap0=False)
+    m.begin(smooth=70)
+    lathe(m, [(0.112, 1.80), (0.108, 6.30)], 5, at(0, y, 0), 0.3)
+    disc(m, 0.108, 6.30, 5, at(0, y, 0), 0.3)
+    m.begin(smooth=70)
+    lathe(m, [(0.10, 3.48), (0.158, 3.60), (0.158, 4.22), (0.10, 4.34)], 5, at(0, y, 0), 0.3)
+    return m
+
+
+def machine_gun():
+    m = Mesh('tanksecondarygunLow')
+    y = 0.225
+    m.begin()
+    box(m, (-0.05, y - 0.07, -0.40), (0.05, y + 0.07, 0.10), bottom=True)
+    box(m, (0.07, y - 0.17, -0.16), (0.20, y + 0.03, 0.10), bottom=True)
+    box(m, (-0.045, -0.03, -0.07), (0.045, y - 0.06, 0.06))
+    p = [(0.0, y + 0.032, 0.08), (-0.03, y - 0.018, 0.08), (0.03, y - 0.018, 0.08)]
+    q = [(a, b, 1.04) for a, b, _ in p]
+    for i in range(3):
+        m.poly([p[i], p[(i + 1) % 3], q[(i + 1) % 3], q[i]])
+    m.poly(q)
+    return m
+
+
+def wheel():
+    m = Mesh('tankwheelLow')
+    m.begin()
+    drum(m, WHEEL_R * 1.02, -0.24, 0.24, 6, ACROSS, 0.0, start=math.pi / 6)
+    return m
+
+
+def build():
+    return [body(), turret(), main_gun(), machine_gun(), wheel()]

@@ -1,0 +1,260 @@
+"""Paint: camouflage, wear, dust, stencils and baked shade for every texel of the atlas."""
+import math
+
+import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+
+from frame import CUPOLA, MG_OFFSET, TURRET, WHEEL_Y, WHEEL_Z, TRACK_X
+from wheel import RIM
+
+MATS = ['paint', 'wheel', 'track', 'rubber', 'metal', 'gunmetal', 'barrel', 'dark', 'glass', 'lamp', 'redlamp', 'canvas',
+        'strap', 'crate', 'wood', 'cable', 'brass']
+COLOUR = {'rubber': (58, 57, 56), 'metal': (84, 86, 82), 'gunmetal': (72, 74, 78), 'dark': (38, 38, 37),
+          'glass': (46, 70, 92), 'lamp': (224, 222, 204), 'redlamp': (176, 40, 32), 'canvas': (140, 130, 96),
+          'strap': (78, 68, 50), 'crate': (104, 112, 76), 'wood': (158, 122, 78), 'cable': (92, 90, 86),
+          'brass': (176, 146, 76), 'track': (112, 106, 98)}
+GREEN, BROWN, BLACK = (112, 124, 84), (136, 106, 78), (74, 74, 70)
+DUST = np.array((164, 146, 116.0))
+
+
+def noise(p, freq, seed):
+    """Smooth value noise in 3D, -1..1."""
+    q = p * freq
+    i = np.floor(q).astype(np.int64)
+    f = q - i
+    f = f * f * f * (f * (f * 6 - 15) + 10)
+    out = 0.0
+    for dx in (0, 1):
+        for dy in (0, 1):
+            for dz in (0, 1):
+                h = ((i[..., 0] + dx) * 374761393 + (i[..., 1] + dy) * 668265263 + (i[..., 2] + dz) * 2147483647 + seed * 974634777) & 0xffffffff
+                h = ((h ^ (h >> 13)) * 1274126177) & 0xffffffff
+                h = ((h ^ (h >> 16)) * 2246822519) & 0xffffffff
+                w = (f[..., 0] if dx else 1 - f[..., 0]) * (f[..., 1] if dy else 1 - f[..., 1]) * (f[..., 2] if dz else 1 - f[..., 2])
+                out = out + w * (h / 2147483647.5 - 1.0)
+    return out
+
+
+def step(a, b, x):
+    t = np.clip((x - a) / (b - a), 0, 1)
+    return t * t * (3 - 2 * t)
+
+
+def mix(a, b, t):
+    return a + (b - a) * t[..., None]
+
+
+# ---- ambient occlusion
+def rays(n):
+    """Cosine-weighted directions about +Z, a fixed low-discrepancy set."""
+    out = []
+    for k in range(n):
+        u, phi = (k + 0.5) / n, k * 2.399963
+        r = math.sqrt(u)
+        out.append((r * math.cos(phi), r * math.sin(phi), math.sqrt(1 - u)))
+    return out
+
+
+def tree(meshes):
+    """BVH over (mesh, offset) pairs."""
+    v, t = [], []
+    for m, off in meshes:
+        for f in m.faces:
+            base = len(v)
+            v += [q + Vector(off) for q in f.p]
+            t += [tuple(base + i for i in tri) for tri in f.tris]
+    return BVHTree.FromPolygons(v, t, all_triangles=True)
+
+
+def occlusion(layer, meshes, count):
+    body, turret, gun, mg, wheel = meshes
+    wheels = [(wheel, (s * TRACK_X, WHEEL_Y, z)) for s in (1, -1) for z in WHEEL_Z]
+    off = Vector(TURRET)
+    scenes = [(tree([(body, (0, 0, 0))] + wheels), tree([(turret, off)]), 0.45, 1.1, True),
+              (tree([(turret, (0, 0, 0))]), tree([(body, -off)]), 0.5, 0.9, True),
+              (tree([(gun, (0, 0, 0))]), None, 0, 0.4, True),
+              (tree([(mg, (0, 0, 0))]), None, 0, 0.2, True),
+              (tree([(wheel, (0, 0, 0))]), None, 0, 0.5, False)]
+    ao = np.ones(layer['mesh'].shape)
+    ys, xs = np.nonzero(layer['mesh'] >= 0)
+    group = {}
+    for y, x in zip(ys.tolist(), xs.tolist()):
+        group.setdefault((int(layer['chart'][y, x]), y >> 1, x >> 1), []).append((y, x))
+    dirs = rays(count)
+    for (c, gy, gx), texels in group.items():
+        y, x = texels[0]
+        own, other, weight, reach, ground = scenes[layer['mesh'][y, x]]
+        n = Vector(layer['nrm'][y, x])
+        flat = Vector(layer['flat'][y, x])
+        p = Vector(layer['pos'][y, x]) + flat * 0.006
+        turn = ((gx * 73856093) ^ (gy * 19349663)) % 1024 / 1024 * 6.2832
+        e = n.orthogonal().normalized()
+        w = n.cross(e)
+        ct, st = math.cos(turn), math.sin(turn)
+        e, w = e * ct + w * st, w * ct - e * st
+        blocked = 0.0
+        for a, b, h in dirs:
+            d = e * a + w * b + n * h
+            if d.dot(flat) < 0.02:
+                continue
+            hit = own.ray_cast(p, d, reach)[3]
+            if hit is not None:
+                blocked += 1.0 - 0.6 * hit / reach
+                continue
+            if other:
+                hit = other.ray_cast(p, d, reach)[3]
+                if hit is not None:
+                    blocked += weight * (1.0 - hit / reach)
+                    continue
+            if ground and d.y < 0:
+                blocked += -0.35 * d.y
+        value = 1.0 - blocked / len(dirs)
+        for t in texels:
+            ao[t] = value
+    # smooth within charts
+    for _ in range(3):
+        total, weight = ao.copy(), np.ones_like(ao)
+        for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1)):
+            same = (np.roll(layer['chart'], (dy, dx), (0, 1)) == layer['chart'])
+            same &= (np.roll(layer['flat'], (dy, dx), (0, 1)) * layer['flat']).sum(-1) > 0.5
+            total += np.where(same, np.roll(ao, (dy, dx), (0, 1)), 0)
+            weight += same
+        ao = total / weight
+    return ao
+
+
+# ---- stencils: strokes on a 4 x 6 grid
+GLYPH = {'0': [(0, 1, 0, 5), (4, 1, 4, 5), (1, 0, 3, 0), (1, 6, 3, 6)],
+         '1': [(2, 0, 2, 6), (0.8, 4.6, 2, 6)],
+         '2': [(0.3, 6, 3, 6), (4, 5, 4, 4), (4, 3.6, 0, 0.6), (0, 0, 4, 0)],
+         '3': [(0, 6, 3, 6), (4, 5, 4, 4), (1.2, 3, 3, 3), (4, 2, 4, 1), (0, 0, 3, 0)],
+         '4': [(3, 0, 3, 6), (2.4, 5.6, 0, 2.2), (0, 1.8, 4, 1.8)],
+         '7': [(0, 6, 4, 6), (4, 5.2, 1.4, 0)],
+         '-': [(1, 3, 3, 3)],
+         'T': [(0, 6, 4, 6), (2, 5.2, 2, 0)],
+         'L': [(0, 0, 0, 6), (0.8, 0, 4, 0)]}
+
+
+def stencil(u, v, text, height):
+    """Coverage of the text whose lower left corner is at (0, 0)."""
+    unit = height / 6.0
+    mask = np.zeros_like(u)
+    for k, ch in enumerate(text):
+        for x0, y0, x1, y1 in GLYPH.get(ch, []):
+            ax, ay, bx, by = (x0 + 5.6 * k) * unit, y0 * unit, (x1 + 5.6 * k) * unit, y1 * unit
+            dx, dy = bx - ax, by - ay
+            t = np.clip(((u - ax) * dx + (v - ay) * dy) / (dx * dx + dy * dy), 0, 1)
+            dist = np.hypot(u - ax - t * dx, v - ay - t * dy)
+            mask = np.maximum(mask, 1 - step(0.42 * unit, 0.42 * unit + 0.012, dist))
+    return mask
+
+
+def paint(layer, meshes, count, mats=MATS):
+    ok = layer['mesh'] >= 0
+    sel = {k: v[ok] for k, v in layer.items()}
+    mesh, mat, p, n = sel['mesh'], sel['mat'], sel['pos'], sel['nrm']
+    offsets = [np.zeros(3), np.array(TURRET), np.array(TURRET), np.array(TURRET) + np.array(CUPOLA) + np.array(MG_OFFSET), np.array((0.0, 0.0, 0.0))]
+    tank = p + np.array(offsets)[mesh]
+
+    def is_(name):
+        return mat == mats.index(name)
+    # camouflage
+    warp = np.stack([noise(tank, 1.1, 3), noise(tank, 1.1, 4), noise(tank, 1.1, 5)], -1) * 0.35
+    q = (tank + warp) * np.array((0.8, 0.9, 0.62))
+    a = noise(q, 0.85, 11) + 0.25 * noise(q, 2.1, 12)
+    b = noise(q + 17.3, 0.8, 13) + 0.25 * noise(q, 2.3, 14)
+    camo = np.broadcast_to(np.array(GREEN, float), p.shape).copy()
+    camo = mix(camo, np.array(BROWN, float), step(0.10, 0.14, a))
+    camo = mix(camo, np.array(BLACK, float), step(0.30, 0.34, b))
+    col = camo.copy()
+    for name, c in COLOUR.items():
+        col[is_(name)] = c
+    barrel = is_('barrel')
+    col[barrel] = camo[barrel]
+    # wheels: rubber outside the rim, a hub with bolts, dark lightening holes
+    w = is_('wheel')
+    r = np.hypot(p[:, 1], p[:, 2])
+    ang = np.arctan2(p[:, 1], p[:, 2])
+    col[w] = np.array(GREEN, float) * 0.98
+    face = w & (np.abs(p[:, 0]) > 0.15)
+    tyre = w & ((r > RIM - 0.004) | (np.abs(p[:, 0]) < 0.09))
+    col[w & (np.abs(p[:, 0]) < 0.09) & (r < 0.30)] = (70, 72, 58)
+    col[tyre & (r > 0.30)] = COLOUR['rubber']
+    col[face & tyre] = COLOUR['rubber']
+    if w.any():
+        for k in range(10):
+            t = 2 * math.pi * (k + 0.5) / 10
+            d = np.hypot(p[:, 1] - 0.155 * math.sin(t), p[:, 2] - 0.155 * math.cos(t))
+            out = face & (p[:, 0] > 0)
+            col[out & (d < 0.016)] = (150, 152, 140)
+            col[out & (d >= 0.016) & (d < 0.024)] = (66, 72, 50)
+        ring = face & (np.abs(r - RIM + 0.012) < 0.010)
+        col[ring] = (88, 98, 66)
+        hub = face & (r < 0.09) & (p[:, 0] > 0.2)
+        for k in range(5):
+            t = 2 * math.pi * k / 5
+            d = np.hypot(p[:, 1] - 0.06 * math.sin(t), p[:, 2] - 0.06 * math.cos(t))
+            col[hub & (d < 0.014)] = (64, 66, 52)
+        d = np.hypot(p[:, 1] - 0.02, p[:, 2] - 0.025)
+        col[hub & (d < 0.018)] = (170, 60, 44)
+    # track: rubber pads on the outer face, bare steel at the edges
+    t = is_('track')
+    side = np.abs(np.abs(p[:, 0]) - TRACK_X)
+    pads = t & (mesh == 0) & (side > 0.035) & (side < 0.235) & (sel['convex'] > 0.012) & (n[:, 1] < -0.5) & (p[:, 1] < 0.03)
+    col[pads] = (66, 64, 62)
+    # variation
+    v = 1 + 0.05 * noise(tank, 2.3, 21) + 0.03 * noise(tank, 9.0, 22)
+    flatpaint = is_('paint') | barrel | w | is_('crate')
+    col = col * np.where(is_('lamp') | is_('glass') | is_('redlamp'), 1.0, v)[:, None]
+    # wear on edges, grime in corners
+    chip = noise(tank, 7.0, 31) + 0.5 * noise(tank, 21.0, 32)
+    wear = flatpaint & (sel['convex'] < 0.022)
+    col = mix(col, np.array((150, 150, 140.0)), np.where(wear, 0.30 + 0.35 * step(0.1, 0.7, chip), 0.0))
+    col = col * (1 - 0.22 * np.exp(-sel['concave'] / 0.025))[:, None]
+    # dust: low parts, and what faces up
+    high = np.where((mesh == 0), step(1.15, 0.25, tank[:, 1]), 0.0)
+    dust = np.clip(high * (0.62 + 0.35 * noise(tank, 1.7, 41) + 0.2 * noise(tank, 6.0, 42)), 0, 0.75) * np.where(t, 0.55, 0.8)
+    dust = np.where(w, np.clip(0.22 + 0.2 * noise(p, 6.0, 43), 0, 1), dust)
+    up = np.clip(n[:, 1], 0, 1) * np.clip(0.16 + 0.16 * noise(tank, 1.3, 44), 0, 1)
+    dust = np.where(is_('lamp') | is_('redlamp') | is_('glass'), 0.05, np.maximum(dust, np.where(w, 0, up)))
+    col = mix(col, DUST, dust)
+    # numbers
+    white = np.array((222, 220, 206.0))
+    tur = (mesh == 1) & is_('paint')
+    for sign in (1, -1):
+        on = tur & (n[:, 0] * sign > 0.5) & (sel['size'] > 0.05)
+        u = -(p[:, 2] - 0.42) if sign > 0 else (p[:, 2] + 0.38)
+        m = stencil(u, p[:, 1] - 0.47, '327', 0.21)
+        col = mix(col, white, np.where(on, m * np.clip(0.88 + 0.3 * noise(tank, 9.0, 51), 0, 1), 0))
+    ao = occlusion(layer, meshes, count)[ok]
+    shade = 0.42 + 0.58 * np.clip(ao, 0, 1) ** 0.9
+    shade = np.where(is_('lamp') | is_('redlamp'), 1.0, shade)
+    col = np.clip(col * shade[:, None] * 1.06, 0, 255)
+    image = np.zeros(layer['pos'].shape)
+    image[ok] = col
+    print('texture: average %.0f, %.0f%% of the atlas used, mean AO %.2f' % (col.mean(), 100 * ok.mean(), ao.mean()))
+    return bleed(image, ok)
+
+
+def bleed(image, ok):
+    """Grows every chart into the free texels about it."""
+    mean = image[ok].mean(0)
+    ok = ok.copy()
+    for _ in range(6):
+        total, weight = np.zeros_like(image), np.zeros(ok.shape)
+        for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1)):
+            k = np.roll(ok, (dy, dx), (0, 1))
+            total += np.where(k[..., None], np.roll(image, (dy, dx), (0, 1)), 0)
+            weight += k
+        new = ~ok & (weight > 0)
+        image[new] = total[new] / weight[new][:, None]
+        ok |= new
+    image[~ok] = mean
+    return image
+
+
+def save(image, path, quality):
+    from PIL import Image
+    data = np.round(image[::-1]).astype(np.uint8)
+    Image.fromarray(data, 'RGB').save(path, 'JPEG', quality=quality, optimize=True, subsampling='4:2:0')

@@ -29,3 +29,20 @@ use_debian_acorn() {
         export NODE_PATH=${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs
     fi
 }
+
+# Configures a preset where that is due, and builds it.
+#   build_preset PRESET FOLDER [arguments of cmake --build]
+build_preset() {
+    local preset=$1 folder=$root/build/$2 log
+    shift 2
+    use_debian_acorn
+    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
+        say "Configuring $preset ..."
+        mkdir -p "$root/build"
+        log=$root/build/configure-$preset.log
+        (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
+    fi
+    say "Building $preset ..."
+    # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.
+    (cd "$root" && NINJA_STATUS='[%f/%t] ' cmake --build "$folder" "$@") </dev/null
+}

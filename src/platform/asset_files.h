@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/assets.h"
+
+#include <string>
+
+namespace platform {
+
+/// Reads the tank's meshes and texture from a folder: the files that read_assets() asks for, there or in a
+/// folder `tankobjs` in it, as the lab's archives have them. What a file is named decides; case does not.
+/// Returns "" or what is wrong, with file and line where there is one; `assets` is untouched then.
+std::string read_asset_folder(const std::string& folder, app::Assets& assets);
+
+/// Returns the folder of the files that come with the program: `assets` beside the executable or in one of
+/// the folders above it. Returns "" when there is none.
+std::string find_asset_folder();
+
+} // namespace platform

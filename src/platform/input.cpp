@@ -1,0 +1,105 @@
+#include "platform/input.h"
+
+#include "app/commands.h"
+#include "app/keys.h"
+#include "app/update.h"
+
+#include <algorithm>
+
+namespace platform {
+namespace {
+
+/// The share of the window's diagonal that two fingers move apart for one notch of the wheel.
+constexpr double PINCH_PER_NOTCH = 0.05;
+
+} // namespace
+
+bool Input::is_down(app::Key key) const
+{
+    return key != app::Key::none && down_[static_cast<std::size_t>(key)];
+}
+
+void Input::key_down(const SDL_KeyboardEvent& event, app::State& state)
+{
+    // With a modifier the key belongs to the window system or the browser (reload, find, copy).
+    const bool modified = (event.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0;
+    const app::Key key = app::key_from_number(event.keysym.scancode);
+    const app::Command* command = app::command_for_key(key);
+    if (event.repeat != 0 || modified || command == nullptr) {
+        return;
+    }
+    const bool held_already =
+        std::any_of(command->keys.begin(), command->keys.end(), [this](app::Key k) { return is_down(k); });
+    down_.set(static_cast<std::size_t>(event.keysym.scancode));
+    if (!held_already) {
+        app::apply(state, *command, 1.0);
+    }
+}
+
+void Input::key_up(const SDL_KeyboardEvent& event, app::State& state)
+{
+    const auto scancode = static_cast<std::size_t>(event.keysym.scancode);
+    if (scancode >= down_.size() || !down_[scancode]) {
+        return;
+    }
+    down_.reset(scancode);
+    const app::Command* command = app::command_for_key(app::key_from_number(event.keysym.scancode));
+    // Two keys may give one command: it ends with the last of them.
+    if (command != nullptr &&
+        std::none_of(command->keys.begin(), command->keys.end(), [this](app::Key k) { return is_down(k); })) {
+        app::apply(state, *command, 0.0);
+    }
+}
+
+void Input::release_all(app::State& state)
+{
+    for (const app::Command& command : app::commands()) {
+        if (std::any_of(command.keys.begin(), command.keys.end(),
+                        [this](app::Key k) { return is_down(k); })) {
+            app::apply(state, command, 0.0);
+        }
+    }
+    down_.reset();
+    dragging_ = false;
+}
+
+void Input::handle(const SDL_Event& event, app::State& state)
+{
+    switch (event.type) {
+    case SDL_KEYDOWN:
+        key_down(event.key, state);
+        break;
+    case SDL_KEYUP:
+        key_up(event.key, state);
+        break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+        if (event.button.button == SDL_BUTTON_LEFT) {
+            dragging_ = event.type == SDL_MOUSEBUTTONDOWN;
+        }
+        break;
+    case SDL_MOUSEMOTION:
+        if (dragging_) {
+            app::apply(state, "orbit_by", -app::DRAG_DEGREES_PER_POINT * event.motion.xrel);
+            app::apply(state, "tilt_by", app::DRAG_DEGREES_PER_POINT * event.motion.yrel);
+        }
+        break;
+    case SDL_MOUSEWHEEL:
+        app::apply(state, "zoom_by", static_cast<double>(event.wheel.preciseY));
+        break;
+    case SDL_MULTIGESTURE:
+        if (event.mgesture.numFingers == 2) {
+            app::apply(state, "zoom_by", static_cast<double>(event.mgesture.dDist) / PINCH_PER_NOTCH);
+        }
+        break;
+    case SDL_WINDOWEVENT:
+        if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
+            release_all(state);
+        }
+        break;
+    default:
+        break;
+    }
+}
+
+} // namespace platform

@@ -1,0 +1,117 @@
+// tanklab-render: draws the state a link describes, without a window.
+//
+// legacygl and the system's OpenGL define the same symbols, so there is an executable for each, from this
+// one source: `tanklab-render` and `tanklab-render-reference`. Whichever is started, the one that --renderer
+// asks for does the work.
+#include "app/frame.h"
+#include "app/json.h"
+#include "app/links.h"
+#include "app/state.h"
+#include "platform/asset_files.h"
+#include "platform/offscreen_target.h"
+#include "platform/png_file.h"
+#include "platform/render_options.h"
+#include "scene/read_pixels.h"
+#include "scene/scene_renderer.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <unistd.h>
+
+namespace platform {
+namespace {
+
+constexpr int BAD_INPUT = 2;
+
+int fail(const std::string& sentence)
+{
+    std::fprintf(stderr, "tanklab-render: %s\n", sentence.c_str());
+    return BAD_INPUT;
+}
+
+/// Becomes the executable of the other renderer. Returns only when that cannot be, with the reason.
+std::string start_other_renderer(RendererName renderer, char** arguments)
+{
+    const char* name = renderer == RendererName::reference ? "tanklab-render-reference" : "tanklab-render";
+    std::error_code fault;
+    const auto other = std::filesystem::read_symlink("/proc/self/exe", fault).replace_filename(name);
+    execv(other.c_str(), arguments);
+    return "The renderer asked for is in " + other.string() + ", which cannot be started.";
+}
+
+/// Draws the state and writes the picture. Returns "" or what failed.
+std::string draw_picture(const RenderOptions& options, const app::State& state, const app::Assets& assets)
+{
+    std::string error;
+    const std::unique_ptr<OffscreenTarget> target =
+        open_offscreen_target(options.width, options.height, error);
+    if (target == nullptr) {
+        return error;
+    }
+    scene::SceneRenderer renderer;
+    if (error = renderer.load(assets); !error.empty()) {
+        return error;
+    }
+    renderer.draw(app::make_frame(state, assets), options.width, options.height);
+    const std::vector<std::uint8_t> rgba = scene::read_pixels(options.width, options.height);
+    return write_png(options.out, options.width, options.height, rgba);
+}
+
+std::string read_assets_of(const RenderOptions& options, app::Assets& assets)
+{
+    const std::string folder = options.assets.empty() ? find_asset_folder() : options.assets;
+    if (folder.empty()) {
+        return "The folder 'assets' with the tank's files is not found near the program: name it with "
+               "--assets.";
+    }
+    return read_asset_folder(folder, assets);
+}
+
+int run(int argument_count, char** arguments)
+{
+    RenderOptions options;
+    const auto count = static_cast<std::size_t>(argument_count);
+    if (std::string error = read_render_options({arguments + 1, count - 1}, options); !error.empty()) {
+        return fail(error + " --help tells more.");
+    }
+    if (options.help) {
+        std::fputs(render_usage(), stdout);
+        return 0;
+    }
+    const bool draws = !options.out.empty();
+    if (draws && options.renderer != offscreen_renderer()) {
+        return fail(start_other_renderer(options.renderer, arguments));
+    }
+
+    app::Assets assets;
+    if (std::string error = read_assets_of(options, assets); !error.empty()) {
+        return fail(error);
+    }
+    app::State state;
+    for (const std::string& message : app::open_link(state, fragment_of(options.link)).messages) {
+        std::fprintf(stderr, "tanklab-render: %s\n", message.c_str());
+    }
+    if (draws) {
+        if (std::string error = draw_picture(options, state, assets); !error.empty()) {
+            return fail(error);
+        }
+    }
+    if (options.state) {
+        std::printf("%s\n", app::state_json(state, &assets).c_str());
+    }
+    return 0;
+}
+
+} // namespace
+} // namespace platform
+
+int main(int argument_count, char** arguments)
+{
+    return platform::run(argument_count, arguments);
+}

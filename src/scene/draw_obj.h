@@ -1,0 +1,13 @@
+#pragma once
+
+#include "mesh/obj_mesh.h"
+
+namespace scene {
+
+/// Draws a mesh corner by corner: the lab's own DrawObj.
+/// Each corner takes its position, normal and texture coordinate by three separate indices.
+/// A corner without a texture coordinate gets (0, 0), so that no other mesh's coordinate is used for it.
+/// Meant to be compiled into a display list.
+void draw_obj(const mesh::ObjMesh& obj);
+
+} // namespace scene

@@ -1,0 +1,90 @@
+#include "scene/scene_renderer.h"
+
+#include "scene/draw_tank.h"
+#include "scene/lights.h"
+#include "scene/materials.h"
+#include "scene/texture.h"
+
+#include <cstdio>
+#include <numbers>
+
+#include <GL/gl.h>
+#include <GL/glu.h>
+
+namespace scene {
+namespace {
+
+void set_camera(const app::CameraView& camera, int width, int height)
+{
+    glViewport(0, 0, width, height);
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    gluPerspective(camera.field_of_view * 180.0 / std::numbers::pi,
+                   static_cast<double>(width) / static_cast<double>(height), camera.near_plane,
+                   camera.far_plane);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+    gluLookAt(camera.eye.x, camera.eye.y, camera.eye.z, camera.centre.x, camera.centre.y, camera.centre.z,
+              camera.up.x, camera.up.y, camera.up.z);
+}
+
+/// Sets what no frame changes.
+void set_up_state()
+{
+    glShadeModel(GL_SMOOTH);
+    glEnable(GL_NORMALIZE); // the lab's own meshes have normals of any length
+    glFrontFace(GL_CCW);
+    glCullFace(GL_BACK);
+    glDepthFunc(GL_LEQUAL);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    glClearColor(0.78f, 0.80f, 0.79f, 1.0f);
+    set_up_lights();
+}
+
+} // namespace
+
+std::string SceneRenderer::load(const app::Assets& assets)
+{
+    assets_ = &assets;
+    set_up_state();
+    texture_ = upload_texture(assets.texture);
+    const bool loaded = tank_lists_.load_tank_objs(assets.high) && surroundings_.load();
+    const GLenum error = glGetError();
+    if (loaded && error == GL_NO_ERROR) {
+        return "";
+    }
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04x", error);
+    return std::string("OpenGL could not take the tank's meshes and texture (error ") + code + ").";
+}
+
+void SceneRenderer::draw(const app::Frame& frame, int width, int height) const
+{
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    set_camera(frame.camera, width, height);
+    place_lights();
+    surroundings_.draw_sky(frame.camera);
+    if (frame.ground) {
+        use_earth_material();
+        surroundings_.draw_ground(frame);
+    }
+    draw_tanks(frame);
+}
+
+void SceneRenderer::draw_tanks(const app::Frame& frame) const
+{
+    use_tank_material();
+    glEnable(GL_LIGHTING);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glEnable(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    for (const app::TankInFrame& tank : frame.used_tanks()) {
+        TankDrawing(tank_lists_, assets_->layout, tank.joints)
+            .draw_tank(static_cast<float>(tank.position.x), static_cast<float>(tank.position.y),
+                       static_cast<float>(tank.position.z));
+    }
+}
+
+} // namespace scene

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/assets.h"
+#include "app/frame.h"
+#include "scene/surroundings.h"
+#include "scene/tank_lists.h"
+
+#include <string>
+
+namespace scene {
+
+/// Draws frames of the app with OpenGL 1.x. All it makes belongs to the context that is current when it
+/// loads, and goes with it; that context must be current whenever it draws.
+class SceneRenderer
+{
+public:
+    /// Compiles the display lists, uploads the texture and sets what stays the same for every frame.
+    /// assets: must outlive this renderer. Call it once.
+    /// Returns "" or a sentence that says what OpenGL refused.
+    std::string load(const app::Assets& assets);
+
+    /// Draws a frame into a window of width x height pixels, both at least 1.
+    /// Allocates nothing and compiles no list. Precondition: load() returned "".
+    void draw(const app::Frame& frame, int width, int height) const;
+
+    /// Returns the display lists of the tank, for those who check what was drawn.
+    const TankLists& tank_lists() const { return tank_lists_; }
+
+private:
+    void draw_tanks(const app::Frame& frame) const;
+
+    const app::Assets* assets_ = nullptr;
+    unsigned texture_ = 0;
+    TankLists tank_lists_;
+    Surroundings surroundings_;
+};
+
+} // namespace scene

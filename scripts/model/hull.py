@@ -50,7 +50,7 @@ def skirts(m):
         m.begin(smooth=20)
         prism(m, shape, 1.732, 1.78 if heavy else 1.762, SIDE, (0, 0.016))
         if heavy:      # lifting eyes
-            box(m, (1.70, top - 0.02, z0 + 0.20), (1.77, top + 0.035, z0 + 0.26), 0.012)
+            box(m, (1.735, top - 0.08, z0 + 0.08), (1.775, top + 0.03, z0 + 0.14), 0.01)
     # the shelf that carries them closes the view down to the tracks
     m.begin()
     prism(m, yz((-3.62, 1.40), (-3.62, 1.447), (2.34, 1.447), (3.50, glacis(3.50) - 0.022), (3.50, glacis(3.50) - 0.05), (2.34, 1.40)),
@@ -69,10 +69,10 @@ def grille(m, x0, x1, z0, z1, bars, across=True):
     m.poly([(x0, y + 0.006, z0), (x0, y + 0.006, z1), (x1, y + 0.006, z1), (x1, y + 0.006, z0)])
     m.begin(smooth=20)
     t, h = 0.035, 0.045
-    box(m, (x0 - t, y - 0.01, z0 - t), (x1 + t, y + h, z0), 0.008)
-    box(m, (x0 - t, y - 0.01, z1), (x1 + t, y + h, z1 + t), 0.008)
-    box(m, (x0 - t, y - 0.01, z0 - 0.002), (x0, y + h - 0.004, z1 + 0.002), 0.008)
-    box(m, (x1, y - 0.01, z0 - 0.002), (x1 + t, y + h - 0.004, z1 + 0.002), 0.008)
+    box(m, (x0 - t, y - 0.01, z0 - t), (x1 + t, y + h, z0))
+    box(m, (x0 - t, y - 0.01, z1), (x1 + t, y + h, z1 + t))
+    box(m, (x0 - t, y - 0.01, z0 - 0.002), (x0, y + h - 0.004, z1 + 0.002))
+    box(m, (x1, y - 0.01, z0 - 0.002), (x1 + t, y + h - 0.004, z1 + 0.002))
     m.begin(dens=0.7, smooth=20)
     lo, hi = (z0, z1) if across else (x0, x1)
     step = (hi - lo) / bars
@@ -93,13 +93,13 @@ def engine_deck(m):
     def fan():
         f = at(0.62, DECK, -2.86) @ turn('X', -90)
         m.begin(smooth=40)
-        lathe(m, [(0.47, -0.01), (0.46, 0.046), (0.415, 0.046), (0.405, 0.012)], 18, f)
+        lathe(m, [(0.47, -0.01), (0.46, 0.046), (0.415, 0.046), (0.405, 0.012)], 16, f)
         m.begin('dark')
-        disc(m, 0.407, 0.012, 18, f)
+        disc(m, 0.407, 0.012, 16, f)
         m.begin(dens=0.8, smooth=30)
         lathe(m, [(0.12, 0.0), (0.10, 0.040), (0.0, 0.044)], 7, f)
-        for k in range(10):
-            a = math.radians(36 * k + 9)
+        for k in range(8):
+            a = math.radians(45 * k + 9)
             c, s = math.cos(a), math.sin(a)
             p = [f @ Vector((r * c - w * s, r * s + w * c, h)) for r, w, h in
                  ((0.11, 0.012, 0.034), (0.11, -0.012, 0.034), (0.407, -0.016, 0.040), (0.407, 0.016, 0.040))]
@@ -171,9 +171,9 @@ def front(m):
         box(m, (-0.16, -0.03, -0.10), (0.16, 0.035, 0.12), 0.01, frame=f)
         m.begin('paint', smooth=40)
         g = f @ at(-0.04, 0.115, 0)
-        lathe(m, [(0.0, -0.12), (0.06, -0.10), (0.085, -0.04), (0.085, 0.085)], 9, g)
+        lathe(m, [(0.0, -0.12), (0.06, -0.10), (0.085, -0.04), (0.085, 0.085)], 8, g)
         m.begin('lamp', smooth=40)
-        disc(m, 0.085, 0.085, 9, g)
+        disc(m, 0.085, 0.085, 8, g)
         m.begin('metal', 0.7)
         tube(m, [f @ Vector(p) for p in ((-0.15, 0.0, 0.11), (-0.15, 0.20, 0.13), (0.08, 0.20, 0.13), (0.08, 0.0, 0.11))], 0.011, 4, caps=False)
         m.begin()
@@ -236,20 +236,20 @@ def stowage(m):
     m.begin('cable', 0.6)
     x = 1.545
     tube(m, [(1.30, DECK + 0.03, -3.50), (x - 0.02, DECK + 0.03, -3.40), (x, DECK + 0.022, -3.1), (x, DECK + 0.022, -0.2),
-             (x + 0.01, DECK + 0.022, 1.5), (x, glacis(2.0) + 0.028, 2.0), (x - 0.03, glacis(2.75) + 0.024, 2.75)], 0.02, 6)
+             (x + 0.01, DECK + 0.022, 1.5), (x, glacis(2.0) + 0.028, 2.0), (x - 0.03, glacis(2.75) + 0.024, 2.75)], 0.02, 5)
     m.begin('metal')
     for z in (-2.6, -1.4, 0.2, 1.3):
-        box(m, (x - 0.045, DECK - 0.01, z - 0.03), (x + 0.045, DECK + 0.05, z + 0.03), 0.015)
+        box(m, (x - 0.045, DECK - 0.01, z - 0.03), (x + 0.045, DECK + 0.048, z + 0.03))
     tube(m, [(x - 0.03, glacis(2.77) + 0.03, 2.77), (x - 0.085, glacis(2.87) + 0.03, 2.87), (x - 0.05, glacis(2.97) + 0.03, 2.97),
-             (x + 0.01, glacis(2.97) + 0.03, 2.97), (x + 0.02, glacis(2.87) + 0.03, 2.87)], 0.016, 5, loop=True)
+             (x + 0.01, glacis(2.97) + 0.03, 2.97), (x + 0.02, glacis(2.87) + 0.03, 2.87)], 0.016, 4, loop=True)
     # pioneer tools on the right: shovel, axe, crowbar
     m.begin('wood', 0.8)
-    tube(m, [(-1.52, DECK + 0.03, -2.3), (-1.52, DECK + 0.03, -3.1)], 0.018, 5)
-    tube(m, [(-1.46, DECK + 0.03, 0.9), (-1.46, DECK + 0.03, -0.1)], 0.018, 5)
+    tube(m, [(-1.52, DECK + 0.03, -2.3), (-1.52, DECK + 0.03, -3.1)], 0.018, 4)
+    tube(m, [(-1.46, DECK + 0.03, 0.9), (-1.46, DECK + 0.03, -0.1)], 0.018, 4)
     m.begin('metal')
     prism(m, [(-2.32, -1.60), (-2.32, -1.44), (-2.06, -1.44), (-1.96, -1.52), (-2.06, -1.60)], DECK + 0.01, DECK + 0.045, TOP, (0, 0.012), cap0=False)
     prism(m, [(0.86, -1.50), (0.98, -1.52), (0.98, -1.34), (0.86, -1.40)], DECK + 0.012, DECK + 0.048, TOP, (0, 0.012), cap0=False)
-    tube(m, [(-1.585, DECK + 0.022, -0.4), (-1.585, DECK + 0.022, 1.3)], 0.014, 5)
+    tube(m, [(-1.585, DECK + 0.022, -0.4), (-1.585, DECK + 0.022, 1.3)], 0.014, 4)
 
 
 def build():
@@ -258,7 +258,7 @@ def build():
     m.both(lambda: skirts(m), share=False)
     # turret ring
     m.begin(smooth=40)
-    lathe(m, [(1.10, 1.59), (1.10, 1.625), (1.085, 1.64), (1.02, 1.64), (1.02, 1.59)], 28, at(0, 0, 0.25) @ UP)
+    lathe(m, [(1.10, 1.59), (1.085, 1.64), (1.02, 1.64)], 24, at(0, 0, 0.25) @ UP)
     engine_deck(m)
     rear(m)
     front(m)

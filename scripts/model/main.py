@@ -8,6 +8,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
 import atlas      # noqa: E402
+import exposure   # noqa: E402
 import export     # noqa: E402
 import guns       # noqa: E402
 import hull       # noqa: E402
@@ -17,7 +18,7 @@ import turret     # noqa: E402
 import wheel      # noqa: E402
 from mesh import unwrap   # noqa: E402
 
-QUALITY = 85
+QUALITY = 76
 
 
 def run(args):
@@ -29,6 +30,7 @@ def run(args):
     high = [hull.build(), turret.build(), guns.main_gun(), guns.machine_gun(), wheel.build()]
     for m in high:
         unwrap(m.faces)
+    exposure.thin(high)
     scale = atlas.pack(high)
     print('atlas: %.1f texels per metre' % scale)
     normals = [export.corner_normals(m) for m in high]

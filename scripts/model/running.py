@@ -1,4 +1,4 @@
-"""What belongs to the body below the skirts: tracks, sprockets, idlers, rollers, axle stubs."""
+"""What belongs to the body below the skirts: tracks, sprockets, idlers, rollers, suspension arms."""
 import math
 
 from mathutils import Vector
@@ -53,7 +53,7 @@ def walk(segments, s):
 def track(m):
     seg = path()
     total = sum(lengths(seg))
-    count = round(total / 0.192)
+    count = round(total / 0.21)
     pitch = total / count
     top0 = sum(lengths(seg)[:4])
     top1 = top0 + lengths(seg)[4]
@@ -93,7 +93,8 @@ def track(m):
         ring = [i0] + o + [i1]
         suv = [(0, 0)] + [(f * pitch, h) for f, h in st] + [(pitch, 0)]
         put([(x1, p.y, p.x) for p in ring][::-1], suv[::-1], side1)
-        put([(x0, p.y, p.x) for p in (i0, o[0], o[-1], i1)], [(0, 0), (0, groove), (pitch, groove), (pitch, 0)], side0)
+        flank = (i0, at_s(s, LINK), at_s(s + span, LINK), i1)     # towards the hull: no grooves
+        put([(x0, p.y, p.x) for p in flank], [(0, 0), (0, LINK), (pitch, LINK), (pitch, 0)], side0)
         if s + pitch < lengths(seg)[0]:
             m.begin('track', 0.8, smooth=25)
             b0, b1, tip = at_s(s + 0.22 * span, 0.004), at_s(s + 0.78 * span, 0.004), at_s(s + 0.5 * span, -0.085)
@@ -110,7 +111,7 @@ def sprocket(m):
     f = at(0, END_Y, -IDLER_Z) @ ACROSS
     m.begin('metal', smooth=30)
     teeth = []
-    n = 11
+    n = 10
     for i in range(n):
         a = 2 * math.pi * i / n
         for da, r in ((-0.16, 0.285), (-0.075, 0.362), (0.075, 0.362), (0.16, 0.285)):
@@ -128,15 +129,16 @@ def idler(m):
     f = at(0, END_Y, IDLER_Z) @ ACROSS
     m.begin('paint', smooth=40)
     lathe(m, [(0.0, 1.15), (0.298, 1.165), (0.298, 1.345), (0.21, 1.38), (0.298, 1.415), (0.298, 1.60), (0.26, 1.61),
-              (0.235, 1.575), (0.10, 1.555)], 12, f)
+              (0.235, 1.575), (0.10, 1.555)], 11, f)
     m.begin('paint', smooth=40)
     lathe(m, [(0.12, 1.54), (0.10, 1.628), (0.0, 1.636)], 7, f)
 
 
-def stubs(m):
+def arms(m):
     for z in WHEEL_Z:
-        m.begin('paint', 0.4, smooth=20)
-        drum(m, 0.09, 1.0, 1.15, 4, at(0, WHEEL_Y, z) @ ACROSS, cap0=False, cap1=False)
+        m.begin('paint', 0.4, smooth=20)      # a trailing arm
+        arm = [(0.66, z + 0.30), (0.56, z + 0.36), (WHEEL_Y - 0.07, z + 0.05), (WHEEL_Y - 0.04, z - 0.07), (WHEEL_Y + 0.08, z - 0.03)]
+        prism(m, arm, 1.015, 1.12, SIDE)
     for z in (1.2, -0.4, -2.0):
         m.begin('metal', 0.4, smooth=40)
         drum(m, 0.10, 1.0, 1.60, 6, at(0, END_Y + END_R - 0.102, z) @ ACROSS, cap0=False)
@@ -147,5 +149,5 @@ def build(m):
         track(m)
         sprocket(m)
         idler(m)
-        stubs(m)
+        arms(m)
     m.both(side)

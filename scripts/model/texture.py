@@ -239,9 +239,8 @@ def paint(layer, meshes, count, mats=MATS):
 
 def bleed(image, ok):
     """Grows every chart into the free texels about it."""
-    mean = image[ok].mean(0)
     ok = ok.copy()
-    for _ in range(6):
+    for _ in range(4):
         total, weight = np.zeros_like(image), np.zeros(ok.shape)
         for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1)):
             k = np.roll(ok, (dy, dx), (0, 1))
@@ -250,8 +249,22 @@ def bleed(image, ok):
         new = ~ok & (weight > 0)
         image[new] = total[new] / weight[new][:, None]
         ok |= new
-    image[~ok] = mean
-    return image
+    return pull_push(image, ok)
+
+
+def pull_push(image, ok):
+    """Fills what is still free with a blur of its surroundings: cheap to compress, harmless in mipmaps."""
+    levels = [(image * ok[..., None], ok.astype(float))]
+    while levels[-1][0].shape[0] > 1:
+        c, w = levels[-1]
+        h = c.shape[0] // 2
+        levels.append((c.reshape(h, 2, h, 2, 3).sum((1, 3)), w.reshape(h, 2, h, 2).sum((1, 3))))
+        levels[-1] = (levels[-1][0] / np.maximum(levels[-1][1], 1)[..., None], np.minimum(levels[-1][1], 1))
+    full = levels[-1][0]
+    for c, w in levels[-2::-1]:
+        full = np.repeat(np.repeat(full, 2, 0), 2, 1)
+        full = np.where(w[..., None] > 0, c, full)
+    return full
 
 
 def save(image, path, quality):

@@ -13,13 +13,13 @@ RIM = 0.283      # where rubber ends and paint begins, for the texture
 def build():
     m = Mesh('tankwheel')
     f = turn('Y', 90)
-    n = 13
+    n = 12
     r = WHEEL_R
     m.begin('wheel', 1.0, smooth=40)
-    lathe(m, [(0.0, -0.19), (r, -0.235), (r, -0.06), (0.235, 0.0), (r, 0.06), (r, 0.232), (0.283, 0.25), (0.262, 0.192),
+    lathe(m, [(0.0, -0.19), (r, -0.25), (r, -0.06), (0.235, 0.0), (r, 0.06), (r, 0.232), (0.283, 0.25), (0.262, 0.192),
               (0.10, 0.226)], n, f)
     m.begin('wheel', 1.2, smooth=40)
-    lathe(m, [(0.122, 0.21), (0.104, 0.240), (0.0, 0.248)], 7, f)
+    lathe(m, [(0.122, 0.21), (0.104, 0.240), (0.0, 0.248)], 6, f)
     for k in range(5):      # ribs, so that one sees it turn
         a = 2 * math.pi * (k + 0.25) / 5
         c, s = math.cos(a), math.sin(a)

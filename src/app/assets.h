@@ -1,0 +1,72 @@
+#pragma once
+
+#include "mesh/image.h"
+#include "mesh/obj_mesh.h"
+#include "mesh/result.h"
+#include "tank/layout.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace app {
+
+/// Names the two models of the tank: the full one and the coarse one for a distance.
+enum class Level : std::uint8_t
+{
+    high,
+    low,
+};
+
+constexpr std::size_t LEVEL_COUNT = 2;
+
+/// Returns "high" or "low".
+constexpr std::string_view level_name(Level level)
+{
+    return level == Level::high ? "high" : "low";
+}
+
+/// Holds all data that the program reads from files, and the layout that assembles it. Never changes after
+/// reading.
+struct Assets
+{
+    tank::Layout layout;
+    std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> high; ///< by tank::index_of(MeshKind)
+    std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> low;
+    mesh::Image texture;
+
+    const std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT>& meshes(Level level) const
+    {
+        return level == Level::high ? high : low;
+    }
+};
+
+/// Says which mesh a file holds.
+struct MeshFile
+{
+    tank::MeshKind mesh;
+    Level level;
+    std::string_view name; ///< without a folder, such as "tankbodyLow.obj"
+};
+
+/// Returns the one table of OBJ files that make a tank: ten, all needed, under the lab's names.
+std::span<const MeshFile> mesh_files();
+
+/// Returns the names that the texture may have; the first one that is there is used.
+std::span<const std::string_view> texture_file_names();
+
+/// Names a file's bytes; the view must outlive the reading only.
+struct AssetFile
+{
+    std::string_view name; ///< folders before the last / or \ and upper or lower case make no difference
+    std::span<const std::uint8_t> bytes;
+};
+
+/// Reads the ten meshes and the texture and lays them out by tank::default_layout(). Other files are ignored.
+/// Errors: files that are missing, all named in one; a name given twice; whatever is wrong inside a file,
+/// with its line. Either everything is read or nothing.
+mesh::Result<Assets> read_assets(std::span<const AssetFile> files);
+
+} // namespace app

@@ -1,0 +1,247 @@
+#include "app/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+using std::numbers::pi;
+using tank::Joint;
+
+constexpr Unit DEGREES{.name = "degrees", .decimals = 2, .numerator = pi, .denominator = 18000.0};
+constexpr Unit METRES{.name = "metres", .decimals = 3, .numerator = 1.0, .denominator = 1000.0};
+constexpr Unit CHOICE{.name = "", .decimals = 0, .numerator = 1.0, .denominator = 1.0};
+
+constexpr std::array<std::string_view, 2> OFF_ON = {"off", "on"};
+
+constexpr double from_degrees(double degrees)
+{
+    return degrees * pi / 180.0;
+}
+
+struct Place
+{
+    double (*get)(const State&);
+    void (*set)(State&, double);
+};
+
+template <Joint joint> constexpr Place in_joint()
+{
+    return {[](const State& state) { return state.joints[joint]; },
+            [](State& state, double value) { state.joints[joint] = value; }};
+}
+
+template <auto member> constexpr Place in_state()
+{
+    return {[](const State& state) { return static_cast<double>(state.*member); },
+            [](State& state, double value) { state.*member = value; }};
+}
+
+template <auto member> constexpr Place in_camera()
+{
+    return {[](const State& state) { return state.camera.*member; },
+            [](State& state, double value) { state.camera.*member = value; }};
+}
+
+template <auto member> constexpr Place in_camera_look()
+{
+    return {[](const State& state) { return state.camera.look.*member; },
+            [](State& state, double value) { state.camera.look.*member = value; }};
+}
+
+constexpr Place IN_GROUND = {[](const State& state) { return state.ground ? 1.0 : 0.0; },
+                             [](State& state, double value) { state.ground = value != 0.0; }};
+
+template <Joint joint>
+Field joint_field(FieldId id, std::string_view name, std::string_view title, Group group)
+{
+    const tank::JointLimits limits = tank::joint_limits(joint);
+    const Place place = in_joint<joint>();
+    return {.id = id,
+            .name = name,
+            .title = title,
+            .group = group,
+            .unit = DEGREES,
+            .minimum = limits.minimum,
+            .maximum = limits.maximum,
+            .wraps = limits.wraps,
+            .initial = 0,
+            .choices = {},
+            .get = place.get,
+            .set = place.set};
+}
+
+struct Range
+{
+    double minimum;
+    double maximum;
+    std::int64_t initial; ///< on the grid
+    bool wraps = false;
+};
+
+Field plain_field(FieldId id, std::string_view name, std::string_view title, Group group, const Unit& unit,
+                  const Range& range, const Place& place)
+{
+    return {.id = id,
+            .name = name,
+            .title = title,
+            .group = group,
+            .unit = unit,
+            .minimum = range.minimum,
+            .maximum = range.maximum,
+            .wraps = range.wraps,
+            .initial = range.initial,
+            .choices = {},
+            .get = place.get,
+            .set = place.set};
+}
+
+Field choice_field(FieldId id, std::string_view name, std::string_view title, Group group,
+                   std::span<const std::string_view> choices, std::int64_t initial, const Place& place)
+{
+    const Range range{.minimum = 0.0, .maximum = static_cast<double>(choices.size() - 1), .initial = initial};
+    Field field = plain_field(id, name, title, group, CHOICE, range, place);
+    field.choices = choices;
+    return field;
+}
+
+// The camera's defaults show the whole tank, gun included, three quarters from the front in a 16:10 window.
+// A tilt of at least 0 and a look_y above 0 keep the eye above the ground at every distance.
+std::array<Field, FIELD_COUNT> make_fields()
+{
+    using enum FieldId;
+    const Range across{.minimum = -200.0, .maximum = 200.0, .initial = 0};
+    const Range beside{.minimum = -20.0, .maximum = 20.0, .initial = 0};
+    return {{
+        joint_field<Joint::turret>(turret, "turret", "Turret", Group::turret),
+        joint_field<Joint::main_gun>(main_gun, "gun", "Main gun", Group::main_gun),
+        joint_field<Joint::secondary_gun>(secondary_gun, "secondary_gun", "Secondary gun",
+                                          Group::secondary_gun),
+        joint_field<Joint::wheels_left>(wheels_left, "wheels_left", "Left wheels", Group::wheels),
+        joint_field<Joint::wheels_right>(wheels_right, "wheels_right", "Right wheels", Group::wheels),
+        joint_field<Joint::heading>(heading, "heading", "Heading", Group::tank),
+        plain_field(x, "x", "Position x", Group::tank, METRES, across, in_state<&State::x>()),
+        plain_field(z, "z", "Position z", Group::tank, METRES, across, in_state<&State::z>()),
+        plain_field(orbit, "orbit", "Orbit", Group::camera, DEGREES,
+                    {.minimum = -pi, .maximum = pi, .initial = 4000, .wraps = true},
+                    in_camera<&Camera::orbit>()),
+        plain_field(tilt, "tilt", "Tilt", Group::camera, DEGREES,
+                    {.minimum = 0.0, .maximum = from_degrees(89.0), .initial = 1500},
+                    in_camera<&Camera::tilt>()),
+        plain_field(distance, "distance", "Distance", Group::camera, METRES,
+                    {.minimum = 4.0, .maximum = 400.0, .initial = 11500}, in_camera<&Camera::distance>()),
+        plain_field(look_x, "look_x", "Look at x", Group::camera, METRES, beside,
+                    in_camera_look<&glm::dvec3::x>()),
+        plain_field(look_y, "look_y", "Look at y", Group::camera, METRES,
+                    {.minimum = 0.1, .maximum = 10.0, .initial = 1350}, in_camera_look<&glm::dvec3::y>()),
+        plain_field(look_z, "look_z", "Look at z", Group::camera, METRES,
+                    {.minimum = -20.0, .maximum = 20.0, .initial = 1300}, in_camera_look<&glm::dvec3::z>()),
+        choice_field(ground, "ground", "Ground", Group::camera, OFF_ON, 1, IN_GROUND),
+    }};
+}
+
+constexpr std::array<FieldAlias, 1> ALIASES = {{
+    {.name = "wheels", .title = "Wheels", .fields = {FieldId::wheels_left, FieldId::wheels_right}},
+}};
+
+std::int64_t round_to_grid(const Unit& unit, double value)
+{
+    return std::llround(value * unit.denominator / unit.numerator);
+}
+
+} // namespace
+
+std::span<const Field> fields()
+{
+    static const std::array<Field, FIELD_COUNT> FIELDS = make_fields();
+    return FIELDS;
+}
+
+const Field& field(FieldId id)
+{
+    return fields()[static_cast<std::size_t>(id)];
+}
+
+const Field* find_field(std::string_view name)
+{
+    for (const Field& field : fields()) {
+        if (field.name == name) {
+            return &field;
+        }
+    }
+    return nullptr;
+}
+
+std::span<const FieldAlias> field_aliases()
+{
+    return ALIASES;
+}
+
+double within_limits(const Field& field, double value)
+{
+    // The limits have the form of a joint's, so going round is written once, in tank/.
+    return tank::within_limits({.wraps = field.wraps, .minimum = field.minimum, .maximum = field.maximum},
+                               value);
+}
+
+std::int64_t to_grid(const Field& field, double value)
+{
+    return grid_within_limits(field, round_to_grid(field.unit, within_limits(field, value)));
+}
+
+std::int64_t to_grid_from_unit(const Field& field, double value)
+{
+    double steps_per_unit = 1.0;
+    for (int i = 0; i < field.unit.decimals; ++i) {
+        steps_per_unit *= 10.0;
+    }
+    const auto lowest = static_cast<double>(grid_minimum(field));
+    const auto highest = static_cast<double>(grid_maximum(field));
+    // Brought near the limits before it is scaled and made whole, so that nothing overflows.
+    if (field.wraps) {
+        const double round = highest - lowest + 1.0;
+        return grid_within_limits(
+            field, std::llround(std::remainder(value, round / steps_per_unit) * steps_per_unit));
+    }
+    return std::llround(std::clamp(value * steps_per_unit, lowest, highest));
+}
+
+std::int64_t grid_minimum(const Field& field)
+{
+    return round_to_grid(field.unit, field.minimum);
+}
+
+std::int64_t grid_maximum(const Field& field)
+{
+    return round_to_grid(field.unit, field.maximum) - (field.wraps ? 1 : 0);
+}
+
+std::int64_t grid_within_limits(const Field& field, std::int64_t value)
+{
+    const std::int64_t lowest = grid_minimum(field);
+    const std::int64_t highest = grid_maximum(field);
+    if (!field.wraps || (value >= lowest && value <= highest)) {
+        return std::clamp(value, lowest, highest);
+    }
+    const std::int64_t round = highest - lowest + 1;
+    const std::int64_t past = (value % round - lowest % round) % round; // in (-round, round), no overflow
+    return lowest + (past < 0 ? past + round : past);
+}
+
+std::int64_t grid_value(const Field& field, const State& state)
+{
+    return to_grid(field, field.get(state));
+}
+
+void set_grid_value(const Field& field, State& state, std::int64_t value)
+{
+    const auto steps = static_cast<double>(grid_within_limits(field, value));
+    // Clamped once more: a limit itself need not be a product of a step and a whole number to the last bit.
+    field.set(state, std::clamp(steps * field.unit.numerator / field.unit.denominator, field.minimum,
+                                field.maximum));
+}
+
+} // namespace app

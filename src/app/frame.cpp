@@ -1,0 +1,48 @@
+#include "app/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+constexpr double FIELD_OF_VIEW = std::numbers::pi / 4.0; // 45 degrees, as in the handout
+
+/// Beyond the tank by this much things can still be seen. Metres.
+constexpr double SEEN_BEHIND = 600.0;
+
+CameraView camera_view(const State& state)
+{
+    const Camera& camera = state.camera;
+    const glm::dvec3 centre = glm::dvec3(state.x, 0.0, state.z) + camera.look;
+    const double level = std::cos(camera.tilt);
+    const glm::dvec3 towards_eye(level * std::sin(camera.orbit), std::sin(camera.tilt),
+                                 level * std::cos(camera.orbit));
+    const glm::dvec3 eye = centre + camera.distance * towards_eye;
+    // The ground at the lower edge of the window is at least 0.92 of the eye's height deep (cos 22.5
+    // degrees), at any tilt; it must not be cut off. A near plane of 1 m keeps a step of 24-bit depth at 400
+    // m to a centimetre.
+    const double near_plane = std::min({0.05 * camera.distance, 0.9 * eye.y, 1.0});
+    return {.eye = eye,
+            .centre = centre,
+            .up = {0.0, 1.0, 0.0},
+            .field_of_view = FIELD_OF_VIEW,
+            .near_plane = near_plane,
+            .far_plane = camera.distance + SEEN_BEHIND};
+}
+
+} // namespace
+
+Frame make_frame(const State& state, const Assets&)
+{
+    Frame frame{};
+    frame.camera = camera_view(state);
+    frame.tanks[0] = {.position = {state.x, 0.0, state.z}, .joints = state.joints, .level = Level::high};
+    frame.tank_count = 1;
+    frame.ground = state.ground;
+    return frame;
+}
+
+} // namespace app

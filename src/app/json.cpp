@@ -1,0 +1,204 @@
+#include "app/json.h"
+
+#include "app/commands.h"
+#include "app/fields.h"
+#include "app/frame.h"
+#include "app/json_writer.h"
+#include "app/links.h"
+#include "app/tasks.h"
+
+namespace app {
+
+namespace {
+
+void write_value(JsonWriter& json, const Field& field, std::int64_t value)
+{
+    if (field.choices.empty()) {
+        json.decimal(value, field.unit.decimals);
+    } else {
+        json.string(field.choices[static_cast<std::size_t>(value)]);
+    }
+}
+
+void write_task_id(JsonWriter& json, const State& state, TaskKind kind)
+{
+    json.key(link_key(kind));
+    if (state.task && tasks()[*state.task].kind == kind) {
+        json.string(tasks()[*state.task].id);
+    } else {
+        json.null();
+    }
+}
+
+void write_keys(JsonWriter& json, const Command& command)
+{
+    json.key("keys").begin_array();
+    for (Key key : command.keys) {
+        if (key != Key::none) {
+            json.string(key_code(key));
+        }
+    }
+    json.end_array().key("key_labels").begin_array();
+    for (Key key : command.keys) {
+        if (key != Key::none) {
+            json.string(key_label(key));
+        }
+    }
+    json.end_array();
+}
+
+/// Writes what a slider or a list of choices needs; the fields of one command have the same range.
+void write_range(JsonWriter& json, const Field& field)
+{
+    if (!field.choices.empty()) {
+        json.key("choices").begin_array();
+        for (std::string_view choice : field.choices) {
+            json.string(choice);
+        }
+        json.end_array();
+        json.key("default").number(field.initial);
+        return;
+    }
+    const int decimals = field.unit.decimals;
+    json.key("minimum").decimal(grid_minimum(field), decimals);
+    json.key("maximum").decimal(grid_maximum(field), decimals);
+    json.key("step").decimal(1, decimals);
+    json.key("default").decimal(field.initial, decimals);
+    json.key("wraps").boolean(field.wraps);
+}
+
+constexpr std::string_view kind_name(CommandKind kind)
+{
+    switch (kind) {
+    case CommandKind::hold:
+        return "hold";
+    case CommandKind::press:
+        return "press";
+    case CommandKind::add:
+        return "add";
+    case CommandKind::set:
+        return "set";
+    }
+    return {};
+}
+
+void write_command(JsonWriter& json, const Command& command)
+{
+    json.begin_object();
+    json.key("name").string(command.name);
+    json.key("title").string(command.title);
+    json.key("group").string(group_name(command.group));
+    json.key("kind").string(kind_name(command.kind));
+    write_keys(json, command);
+    if (command.move_count > 0) {
+        const Field& first = field(command.moves[0].field);
+        json.key("fields").begin_array();
+        for (const Move& move : command.used_moves()) {
+            json.string(field(move.field).name);
+        }
+        json.end_array();
+        // Steps of the wheel have no unit; a fixed amount has its field's.
+        json.key("unit").string(command.moves[0].relative ? std::string_view{} : first.unit.name);
+        if (command.kind == CommandKind::set) {
+            write_range(json, first);
+        }
+    }
+    json.end_object();
+}
+
+} // namespace
+
+std::string state_json(const State& state, const Assets* assets)
+{
+    JsonWriter json;
+    json.begin_object();
+    for (const Field& field : fields()) {
+        json.key(field.name);
+        write_value(json, field, grid_value(field, state));
+    }
+    json.key("tick").number(state.tick);
+    json.key("revision").number(state.revision.count);
+    json.key("link").string(link(state));
+    json.key("held").begin_array();
+    const std::span<const Command> all = commands();
+    for (std::size_t i = 0; i < all.size() && i < state.held.size(); ++i) {
+        if (state.held[i]) {
+            json.string(all[i].name);
+        }
+    }
+    json.end_array();
+    json.key("level");
+    if (assets != nullptr) {
+        json.string(level_name(make_frame(state, *assets).tanks[0].level));
+    } else {
+        json.null();
+    }
+    write_task_id(json, state, TaskKind::task);
+    write_task_id(json, state, TaskKind::figure);
+    json.end_object();
+    return json.take();
+}
+
+std::string commands_json()
+{
+    JsonWriter json;
+    json.begin_array();
+    for (const Command& command : commands()) {
+        write_command(json, command);
+    }
+    json.end_array();
+    return json.take();
+}
+
+std::string tasks_json()
+{
+    JsonWriter json;
+    json.begin_array();
+    for (const Task& task : tasks()) {
+        json.begin_object();
+        json.key("id").string(task.id);
+        json.key("kind").string(link_key(task.kind));
+        json.key("title").string(task.title);
+        json.key("text").string(task.text);
+        json.key("commands").begin_array();
+        for (std::string_view command : task.commands) {
+            if (!command.empty()) {
+                json.string(command);
+            }
+        }
+        json.end_array();
+        json.key("link").string(std::string(link_key(task.kind)) + "=" + std::string(task.id));
+        json.key("source").string(task.source);
+        json.end_object();
+    }
+    json.end_array();
+    return json.take();
+}
+
+std::string strings_json(std::span<const std::string> texts)
+{
+    JsonWriter json;
+    json.begin_array();
+    for (const std::string& text : texts) {
+        json.string(text);
+    }
+    json.end_array();
+    return json.take();
+}
+
+std::string asset_manifest_json()
+{
+    JsonWriter json;
+    json.begin_object().key("meshes").begin_array();
+    for (const MeshFile& file : mesh_files()) {
+        json.string(file.name);
+    }
+    json.end_array().key("texture").begin_array();
+    for (std::string_view name : texture_file_names()) {
+        json.string(name);
+    }
+    json.end_array().end_object();
+    return json.take();
+}
+
+} // namespace app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/assets.h"
+#include "app/state.h"
+
+#include <span>
+#include <string>
+
+namespace app {
+
+/// Returns the state as a JSON object: every field by its link name, in its unit for people, on the grid
+/// (choices as their names); `tick`, `revision`, `link`, `held` (names of commands), `task` and `figure` (ids
+/// or null); `level`: "high" or "low", the model that is drawn, or null without assets.
+std::string state_json(const State& state, const Assets* assets);
+
+/// Returns the table of commands as a JSON array. Every row has `name`, `title`, `group`, `kind`, `keys` (the
+/// browser's KeyboardEvent.code) and `key_labels`. Rows that move fields have `fields`, their link names, and
+/// `unit`. Rows that set have besides `minimum`, `maximum`, `step`, `default` and `wraps`, or `choices` (the
+/// value is an index of them).
+std::string commands_json();
+
+/// Returns the table of tasks and figures as a JSON array of {id, kind, title, text, commands, link, source}.
+/// link: opens it, such as "task=1.2". commands: names of commands to try.
+std::string tasks_json();
+
+/// Returns texts as a JSON array of strings, such as the messages of a link.
+std::string strings_json(std::span<const std::string> texts);
+
+/// Returns the files that read_assets() needs as {"meshes": [names], "texture": [names, of which one is
+/// enough]}.
+std::string asset_manifest_json();
+
+} // namespace app

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "tank/joint.h"
+
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+namespace app {
+
+/// Holds where the eye is. Angles in radians, lengths in metres.
+/// orbit: 0 has the eye in front of the tank at rest, looking along -Z as the lab's own camera does; positive
+///        goes anticlockwise seen from above, to the tank's left (+X) first.
+/// tilt: 0 is level with the point looked at, positive is above it.
+/// distance: from the eye to the point looked at.
+/// look: the point looked at, from the tank's position; it follows the tank but does not turn with it.
+struct Camera
+{
+    double orbit = 0.0;
+    double tilt = 0.0;
+    double distance = 0.0;
+    glm::dvec3 look{0.0};
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+/// Counts the changes of a state. Every two revisions compare equal: two states with the same content are
+/// equal, however they came about.
+struct Revision
+{
+    std::uint64_t count = 0;
+
+    friend constexpr bool operator==(Revision, Revision) { return true; }
+};
+
+/// At most this many rows of the table of commands can be held.
+constexpr std::size_t MAXIMUM_HELD_COMMANDS = 128;
+
+/// Holds everything that can change while the program runs, as plain data: copy it, compare it, hash it.
+/// Only apply(), step() and open_link() change one that is in use; each change counts up the revision.
+struct State
+{
+    tank::JointAngles joints; ///< within tank::joint_limits
+    double x = 0.0;           ///< the tank's position on the ground, metres
+    double z = 0.0;
+    Camera camera;
+    bool ground = false;                     ///< the ground is drawn
+    std::optional<std::size_t> task;         ///< the row of tasks() that the state was opened with
+    std::bitset<MAXIMUM_HELD_COMMANDS> held; ///< by row of commands()
+    std::uint64_t tick = 0;                  ///< steps of 1/60 s since the state was opened
+    std::uint64_t seed = 1;                  ///< where random numbers continue
+    Revision revision;                       ///< counts changes people can see; ticks alone are none
+
+    /// Makes the state that an empty link describes: every field has its default from the table of fields.
+    State();
+
+    friend bool operator==(const State&, const State&) = default;
+};
+
+/// Returns the state as bytes, the same on every machine: the fields in the table's order, then the rest.
+/// The revision is left out. Equal states have equal bytes.
+std::string serialised(const State& state);
+
+/// Returns the 64-bit FNV-1a hash of serialised(state).
+std::uint64_t hash(const State& state);
+
+} // namespace app

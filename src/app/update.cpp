@@ -1,0 +1,135 @@
+#include "app/update.h"
+
+#include "app/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+/// More than this many steps at once reach every limit of a relative move anyway.
+constexpr double MOST_RELATIVE_STEPS = 200.0;
+
+/// An amount beyond this reaches every limit, and cannot overflow.
+constexpr double LARGEST_AMOUNT = 1e9;
+
+/// Multiplies by 1 + growth, or divides by 1 - growth when growth < 0, so that both directions undo each
+/// other.
+double grown(double value, double growth)
+{
+    return growth < 0.0 ? value / (1.0 - growth) : value * (1.0 + growth);
+}
+
+/// Grows a number of times, the last by a fraction. Without pow, whose last bit differs between libraries.
+double grown_times(double value, double growth, double times)
+{
+    const double towards = times < 0.0 ? -growth : growth;
+    double left = std::min(std::fabs(times), MOST_RELATIVE_STEPS);
+    for (; left >= 1.0; left -= 1.0) {
+        value = grown(value, towards);
+    }
+    return grown(value, towards * left);
+}
+
+void add(State& state, const Move& move, double amount)
+{
+    const Field& target = field(move.field);
+    const double old = target.get(state);
+    const double bounded = std::clamp(amount, -LARGEST_AMOUNT, LARGEST_AMOUNT);
+    const double moved = move.relative ? grown_times(old, move.rate, bounded) : old + bounded * move.rate;
+    target.set(state, within_limits(target, moved));
+}
+
+std::string faulty_value(const Command& command, double value)
+{
+    if (!std::isfinite(value)) {
+        return std::string(command.name) + " needs a number, not " +
+               (std::isnan(value) ? "NaN" : "infinity") + ".";
+    }
+    const bool is_switch = command.kind == CommandKind::hold || command.kind == CommandKind::press;
+    if (is_switch && value != 0.0 && value != 1.0) {
+        return std::string(command.name) + " takes 1 when it begins and 0 when it ends, nothing else.";
+    }
+    return {};
+}
+
+} // namespace
+
+std::string apply(State& state, const Command& command, double value)
+{
+    if (std::string fault = faulty_value(command, value); !fault.empty()) {
+        return fault;
+    }
+    const State before = state;
+    switch (command.kind) {
+    case CommandKind::hold:
+        state.held[static_cast<std::size_t>(&command - commands().data())] = value == 1.0;
+        break;
+    case CommandKind::press:
+        if (value == 1.0) {
+            command.press(state);
+        }
+        break;
+    case CommandKind::add:
+        for (const Move& move : command.used_moves()) {
+            add(state, move, value);
+        }
+        break;
+    case CommandKind::set:
+        for (const Move& move : command.used_moves()) {
+            const Field& target = field(move.field);
+            set_grid_value(target, state, to_grid_from_unit(target, value));
+        }
+        break;
+    }
+    if (state != before) {
+        ++state.revision.count;
+    }
+    return {};
+}
+
+std::string apply(State& state, std::string_view name, double value)
+{
+    const Command* command = find_command(name);
+    if (command == nullptr) {
+        return "There is no command " + quoted(name) + ".";
+    }
+    return apply(state, *command, value);
+}
+
+void step(State& state, const Assets&)
+{
+    // Summed first, so that opposite holds cancel exactly and a limit is applied to the sum.
+    std::array<double, FIELD_COUNT> rates{};
+    std::array<double, FIELD_COUNT> growths{};
+    const std::span<const Command> all = commands();
+    for (std::size_t i = 0; i < state.held.size() && i < all.size(); ++i) {
+        if (!state.held[i]) {
+            continue;
+        }
+        for (const Move& move : all[i].used_moves()) {
+            (move.relative ? growths : rates)[static_cast<std::size_t>(move.field)] += move.rate;
+        }
+    }
+    bool changed = false;
+    for (const Field& field : fields()) {
+        const double rate = rates[static_cast<std::size_t>(field.id)];
+        const double growth = growths[static_cast<std::size_t>(field.id)];
+        if (rate == 0.0 && growth == 0.0) {
+            continue;
+        }
+        const double old = field.get(state);
+        const double moved = grown(old + rate / TICKS_PER_SECOND, growth / TICKS_PER_SECOND);
+        field.set(state, within_limits(field, moved));
+        changed = changed || field.get(state) != old;
+    }
+    ++state.tick;
+    if (changed) {
+        ++state.revision.count;
+    }
+}
+
+} // namespace app

@@ -1,0 +1,40 @@
+#include "tank/part.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace tank {
+namespace {
+
+TEST(PartTest, NamesAreThoseOfTheDesignInItsOrder)
+{
+    EXPECT_EQ(part_name(Part::body), "body");
+    EXPECT_EQ(part_name(Part::turret), "turret");
+    EXPECT_EQ(part_name(Part::main_gun), "main_gun");
+    EXPECT_EQ(part_name(Part::secondary_gun), "secondary_gun");
+    EXPECT_EQ(part_name(Part::wheel_left_1), "wheel_left_1");
+    EXPECT_EQ(part_name(Part::wheel_left_7), "wheel_left_7");
+    EXPECT_EQ(part_name(Part::wheel_right_1), "wheel_right_1");
+    EXPECT_EQ(part_name(Part::wheel_right_7), "wheel_right_7");
+    EXPECT_EQ(index_of(Part::wheel_right_7), PART_COUNT - 1);
+}
+
+TEST(PartTest, EveryNameIsItsOwnAndLeadsBack)
+{
+    std::set<std::string_view> names;
+    for (Part part : ALL_PARTS) {
+        names.insert(part_name(part));
+        EXPECT_EQ(part_from_name(part_name(part)), part);
+    }
+    EXPECT_EQ(names.size(), PART_COUNT);
+}
+
+TEST(PartTest, UnknownNamesGiveNothing)
+{
+    for (std::string_view name : {"", "Body", "wheel_left_0", "wheel_left_8", "body ", "wheel"}) {
+        EXPECT_FALSE(part_from_name(name).has_value()) << name;
+    }
+}
+
+} // namespace
+} // namespace tank

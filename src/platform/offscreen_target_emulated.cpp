@@ -14,11 +14,13 @@ public:
 
     std::string open(int width, int height)
     {
-        if (std::string error = egl_.open(GlApi::es_3); !error.empty())
+        if (std::string error = egl_.open(GlApi::es_3); !error.empty()) {
             return error;
+        }
         legacygl_ = legacygl_create(find_egl_function, width, height, LEGACYGL_TARGET_OWN);
-        if (legacygl_ == nullptr)
+        if (legacygl_ == nullptr) {
             return std::string("legacygl cannot draw here: ") + legacygl_last_message();
+        }
         return "";
     }
 
@@ -33,8 +35,9 @@ std::unique_ptr<OffscreenTarget> open_offscreen_target(int width, int height, st
 {
     auto target = std::make_unique<EmulatedTarget>();
     error = target->open(width, height);
-    if (!error.empty())
+    if (!error.empty()) {
         return nullptr;
+    }
     return target;
 }
 

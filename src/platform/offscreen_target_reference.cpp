@@ -48,24 +48,27 @@ class ReferenceTarget final : public OffscreenTarget
 public:
     ~ReferenceTarget() override
     {
-        if (framebuffer_ == 0)
+        if (framebuffer_ == 0) {
             return;
+        }
         gl_.delete_framebuffers(1, &framebuffer_);
         gl_.delete_renderbuffers(2, renderbuffers_);
     }
 
     std::string open(int width, int height)
     {
-        if (std::string error = egl_.open(GlApi::desktop_compatibility); !error.empty())
+        if (std::string error = egl_.open(GlApi::desktop_compatibility); !error.empty()) {
             return error;
+        }
         gl_ = framebuffer_functions();
         gl_.gen_framebuffers(1, &framebuffer_);
         gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_);
         gl_.gen_renderbuffers(2, renderbuffers_);
         attach(0, GL_RGBA8, GL_COLOR_ATTACHMENT0, width, height);
         attach(1, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT, width, height);
-        if (gl_.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        if (gl_.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             return "The system's OpenGL cannot draw into a picture of this size.";
+        }
         return "";
     }
 
@@ -89,8 +92,9 @@ std::unique_ptr<OffscreenTarget> open_offscreen_target(int width, int height, st
 {
     auto target = std::make_unique<ReferenceTarget>();
     error = target->open(width, height);
-    if (!error.empty())
+    if (!error.empty()) {
         return nullptr;
+    }
     return target;
 }
 

@@ -45,18 +45,21 @@ std::string write_png(const std::string& path, int width, int height, std::span<
 {
     const std::vector<std::uint8_t> rgb = top_first_rgb(width, height, rgba);
     std::vector<std::uint8_t> bytes;
-    if (stbi_write_png_to_func(append, &bytes, width, height, 3, rgb.data(), width * 3) == 0)
+    if (stbi_write_png_to_func(append, &bytes, width, height, 3, rgb.data(), width * 3) == 0) {
         return "The picture for " + path + " could not be encoded as PNG.";
+    }
 
     std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (file == nullptr)
+    if (file == nullptr) {
         return path + " cannot be written: " + std::strerror(errno) + ".";
+    }
     errno = 0;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     // A full disk often shows only when the buffer is flushed.
     const bool closed = std::fclose(file) == 0;
-    if (written && closed)
+    if (written && closed) {
         return "";
+    }
     const std::string cause = errno != 0 ? std::strerror(errno) : "the write was cut short";
     std::error_code ignored;
     if (std::filesystem::is_regular_file(path, ignored)) // never a device

@@ -13,8 +13,9 @@ std::optional<int> read_side(std::string_view text)
     int side = 0;
     const char* end = text.data() + text.size();
     const auto [stop, fault] = std::from_chars(text.data(), end, side);
-    if (fault != std::errc{} || stop != end || side < 1 || side > MAX_PICTURE_SIDE)
+    if (fault != std::errc{} || stop != end || side < 1 || side > MAX_PICTURE_SIDE) {
         return std::nullopt;
+    }
     return side;
 }
 
@@ -37,26 +38,30 @@ std::string read_size(std::string_view text, RenderOptions& options)
 
 std::string read_renderer(std::string_view text, RenderOptions& options)
 {
-    if (text == "emulated")
+    if (text == "emulated") {
         options.renderer = RendererName::emulated;
-    else if (text == "reference")
+    } else if (text == "reference") {
         options.renderer = RendererName::reference;
-    else
+    } else {
         return "--renderer " + std::string(text) +
                " is unknown: it is emulated (legacygl) or reference (the "
                "system's OpenGL).";
+    }
     return "";
 }
 
 /// Reads one option that takes a value.
 std::string read_valued(std::string_view name, std::string_view value, RenderOptions& options)
 {
-    if (name == "--size")
+    if (name == "--size") {
         return read_size(value, options);
-    if (name == "--renderer")
+    }
+    if (name == "--renderer") {
         return read_renderer(value, options);
-    if (value.empty())
+    }
+    if (value.empty()) {
         return std::string(name) + " needs a path.";
+    }
     (name == "--out" ? options.out : options.assets) = value;
     return "";
 }
@@ -80,10 +85,12 @@ std::string read_render_options(std::span<const char* const> arguments, RenderOp
         if (argument == "--state") {
             options.state = true;
         } else if (takes_value(argument)) {
-            if (i + 1 == arguments.size())
+            if (i + 1 == arguments.size()) {
                 return std::string(argument) + " needs a value.";
-            if (std::string error = read_valued(argument, arguments[++i], options); !error.empty())
+            }
+            if (std::string error = read_valued(argument, arguments[++i], options); !error.empty()) {
                 return error;
+            }
         } else if (argument.starts_with("--")) {
             return "The option " + std::string(argument) + " is unknown.";
         } else if (have_link) {
@@ -94,10 +101,12 @@ std::string read_render_options(std::span<const char* const> arguments, RenderOp
             have_link = true;
         }
     }
-    if (!have_link)
+    if (!have_link) {
         return "There is no link: give one, such as '#turret=30', or '' for the tank as it starts.";
-    if (options.out.empty() && !options.state)
+    }
+    if (options.out.empty() && !options.state) {
         return "There is nothing to do: give --out FILE.png, --state or both.";
+    }
     return "";
 }
 
@@ -118,8 +127,9 @@ const char* render_usage()
 std::string fragment_of(const std::string& link)
 {
     const std::size_t hash = link.find('#');
-    if (hash != std::string::npos)
+    if (hash != std::string::npos) {
         return link.substr(hash + 1);
+    }
     return link.find("://") == std::string::npos ? link : "";
 }
 

@@ -11,34 +11,33 @@
 namespace scene {
 namespace {
 
-/// A ring of the ground and how much of the earth is seen there through the haze.
-struct GroundRing
+/// A ring of the earth, and how much of it is seen there through the haze.
+struct EarthRing
 {
-    double radius; ///< metres
+    double radius;
     float opacity; ///< 0 to 1
 };
 
-constexpr GroundRing GROUND_RINGS[] = {{0.0, 1.0f},   {12.0, 1.0f},   {30.0, 0.98f}, {60.0, 0.92f},
-                                       {120.0, 0.7f}, {240.0, 0.35f}, {500.0, 0.0f}};
-constexpr int SECTORS = 48;
+constexpr EarthRing EARTH_RINGS[] = {{0.0, 1.0f},  {0.03, 1.0f},  {0.1, 0.93f}, {0.2, 0.82f},
+                                     {0.4, 0.55f}, {0.65, 0.25f}, {1.0, 0.0f}};
+constexpr int EARTH_SECTORS = 48;
 
-void ground_vertex(const GroundRing& ring, int sector)
+void earth_vertex(const EarthRing& ring, int sector)
 {
-    const double around = 2.0 * std::numbers::pi * (sector % SECTORS) / SECTORS;
+    const double around = 2.0 * std::numbers::pi * (sector % EARTH_SECTORS) / EARTH_SECTORS;
     glColor4f(0.46f, 0.41f, 0.31f, ring.opacity);
     glVertex3f(static_cast<float>(ring.radius * std::sin(around)), 0.0f,
                static_cast<float>(ring.radius * std::cos(around)));
 }
 
-constexpr int GRID_REACH = 40;  // metres from the origin
-constexpr int GRID_SEGMENT = 2; // metres; short enough for the fade to look round
+constexpr int GRID_SEGMENT_LINES = 2; // a segment crosses so many; short enough for the fade to look round
 
-/// Draws one end of a segment, fainter the further it is from the origin.
-void grid_vertex(int x, int z, double opacity)
+/// Draws one end of a segment, fainter the further it is from the middle. x, z, reach: metres.
+void grid_vertex(int x, int z, int reach)
 {
     const double distance = std::sqrt(static_cast<double>(x * x + z * z));
-    const double share = std::max(0.0, 1.0 - distance / GRID_REACH);
-    glColor4f(0.16f, 0.14f, 0.11f, static_cast<float>(opacity * share));
+    const double share = std::max(0.0, 1.0 - distance / reach);
+    glColor4f(0.16f, 0.14f, 0.11f, static_cast<float>(GRID_OPACITY * share));
     glVertex3f(static_cast<float>(x), 0.0f, static_cast<float>(z));
 }
 
@@ -68,26 +67,27 @@ void shadow_vertex(int sector, double distance, float opacity)
 void draw_earth()
 {
     glNormal3f(0.0f, 1.0f, 0.0f);
-    for (std::size_t ring = 0; ring + 1 < std::size(GROUND_RINGS); ++ring) {
+    for (std::size_t ring = 0; ring + 1 < std::size(EARTH_RINGS); ++ring) {
         glBegin(GL_TRIANGLE_STRIP);
-        for (int sector = 0; sector <= SECTORS; ++sector) {
-            ground_vertex(GROUND_RINGS[ring], sector);
-            ground_vertex(GROUND_RINGS[ring + 1], sector);
+        for (int sector = 0; sector <= EARTH_SECTORS; ++sector) {
+            earth_vertex(EARTH_RINGS[ring], sector);
+            earth_vertex(EARTH_RINGS[ring + 1], sector);
         }
         glEnd();
     }
 }
 
-void draw_metre_grid()
+void draw_grid(int spacing, int lines)
 {
+    const int reach = spacing * lines;
+    const int segment = spacing * GRID_SEGMENT_LINES;
     glBegin(GL_LINES);
-    for (int line = -GRID_REACH; line <= GRID_REACH; ++line) {
-        const double opacity = line % 5 == 0 ? 0.6 : 0.25;
-        for (int start = -GRID_REACH; start < GRID_REACH; start += GRID_SEGMENT) {
-            grid_vertex(line, start, opacity);
-            grid_vertex(line, start + GRID_SEGMENT, opacity);
-            grid_vertex(start, line, opacity);
-            grid_vertex(start + GRID_SEGMENT, line, opacity);
+    for (int line = -reach; line <= reach; line += spacing) {
+        for (int start = -reach; start < reach; start += segment) {
+            grid_vertex(line, start, reach);
+            grid_vertex(line, start + segment, reach);
+            grid_vertex(start, line, reach);
+            grid_vertex(start + segment, line, reach);
         }
     }
     glEnd();

@@ -4,9 +4,32 @@
 #include "scene/ground.h"
 #include "scene/sky.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <GL/gl.h>
 
 namespace scene {
+namespace {
+
+/// Says at which distances from the eye to the tank a grid is drawn in full and no longer at all, metres, and
+/// how many times over it is drawn in full. Lines that are further away than that run together.
+struct GridFade
+{
+    double full_to;
+    double gone_at;
+    int most_calls;
+};
+constexpr GridFade METRE_GRID_FADE = {.full_to = 15.0, .gone_at = 45.0, .most_calls = 3};
+constexpr GridFade FIVE_METRE_GRID_FADE = {.full_to = 60.0, .gone_at = 200.0, .most_calls = 5};
+
+int grid_calls(const GridFade& fade, double distance)
+{
+    const double share = (fade.gone_at - distance) / (fade.gone_at - fade.full_to);
+    return static_cast<int>(std::ceil(std::clamp(share, 0.0, 1.0) * fade.most_calls));
+}
+
+} // namespace
 
 bool Surroundings::load()
 {
@@ -14,18 +37,16 @@ bool Surroundings::load()
     if (first_list_ == 0) {
         return false;
     }
-    glNewList(first_list_ + SKY, GL_COMPILE);
-    draw_sky_dome();
-    glEndList();
-    glNewList(first_list_ + GROUND, GL_COMPILE);
-    draw_earth();
-    glEndList();
-    glNewList(first_list_ + METRE_GRID, GL_COMPILE);
-    draw_metre_grid();
-    glEndList();
-    glNewList(first_list_ + CONTACT_SHADOW, GL_COMPILE);
-    draw_contact_shadow();
-    glEndList();
+    const auto compile = [this](List list, auto draw) {
+        glNewList(first_list_ + list, GL_COMPILE);
+        draw();
+        glEndList();
+    };
+    compile(SKY, draw_sky_dome);
+    compile(EARTH, draw_earth);
+    compile(METRE_GRID, [] { draw_grid(1, 40); });
+    compile(FIVE_METRE_GRID, [] { draw_grid(5, 16); });
+    compile(CONTACT_SHADOW, draw_contact_shadow);
     return true;
 }
 
@@ -52,13 +73,19 @@ void Surroundings::draw_ground(const app::Frame& frame) const
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
 
+    // The haze is as far from the eye wherever it goes; of one colour, the earth can come along.
+    const double radius = 0.99 * frame.camera.far_plane;
     glEnable(GL_LIGHTING);
     glEnable(GL_COLOR_MATERIAL);
-    glCallList(first_list_ + GROUND);
+    glPushMatrix();
+    glTranslated(frame.camera.eye.x, 0.0, frame.camera.eye.z);
+    glScaled(radius, 1.0, radius);
+    glCallList(first_list_ + EARTH);
+    glPopMatrix();
     glDisable(GL_COLOR_MATERIAL);
     glDisable(GL_LIGHTING);
 
-    glCallList(first_list_ + METRE_GRID);
+    draw_grids(frame);
     for (const app::TankInFrame& tank : frame.used_tanks()) {
         glPushMatrix();
         glTranslated(tank.position.x, tank.position.y, tank.position.z);
@@ -69,6 +96,23 @@ void Surroundings::draw_ground(const app::Frame& frame) const
 
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+}
+
+void Surroundings::draw_grids(const app::Frame& frame) const
+{
+    const glm::dvec3 offset = frame.camera.eye - frame.camera.centre;
+    const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y + offset.z * offset.z);
+    glPushMatrix();
+    // Around what is looked at, but by whole lines: they stay where they are in the world.
+    glTranslated(5.0 * std::round(frame.camera.centre.x / 5.0), 0.0,
+                 5.0 * std::round(frame.camera.centre.z / 5.0));
+    for (int call = grid_calls(METRE_GRID_FADE, distance); call > 0; --call) {
+        glCallList(first_list_ + METRE_GRID);
+    }
+    for (int call = grid_calls(FIVE_METRE_GRID_FADE, distance); call > 0; --call) {
+        glCallList(first_list_ + FIVE_METRE_GRID);
+    }
+    glPopMatrix();
 }
 
 } // namespace scene

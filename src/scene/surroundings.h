@@ -14,17 +14,20 @@ public:
     /// Draws the sky around the eye; the modelview matrix is the view. Before everything else.
     void draw_sky(const app::CameraView& camera) const;
 
-    /// Draws the ground, its grid and the tanks' shadows; the modelview matrix is the view.
+    /// Draws the ground, its grids and the tanks' shadows; the modelview matrix is the view.
     /// After the sky and before the tanks: the ground leaves no depth, so that what lies in its plane
     /// cannot fight with it. Nothing may hide behind the ground then, and nothing does: no eye is below it.
     void draw_ground(const app::Frame& frame) const;
 
 private:
+    void draw_grids(const app::Frame& frame) const;
+
     enum List : unsigned
     {
         SKY,
-        GROUND,
+        EARTH,
         METRE_GRID,
+        FIVE_METRE_GRID,
         CONTACT_SHADOW,
         LIST_COUNT
     };

@@ -1,0 +1,177 @@
+#pragma once
+
+#include "legacygl/primitives.h"
+#include "legacygl/vertex_format.h"
+
+#include <legacygl/legacygl.h>
+
+#include <GL/gl.h>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace legacygl {
+
+/// Names of a backend's objects; 0 is none.
+using GeometryId = std::uint32_t;
+using ProgramId = std::uint32_t;
+using TextureId = std::uint32_t;
+
+/// The uniform arrays of vec4 that a program may have, each uploaded as one piece when it changed.
+enum class UniformGroup : std::uint8_t
+{
+    transform,
+    lighting,
+    texturing,
+    count
+};
+constexpr int UNIFORM_GROUP_COUNT = static_cast<int>(UniformGroup::count);
+constexpr std::array<const char*, UNIFORM_GROUP_COUNT> UNIFORM_GROUP_NAMES = {"transform", "lighting",
+                                                                              "texturing"};
+
+constexpr int TEXTURE_UNIT_COUNT = 1;
+
+/// GLSL ES 3.00 text of a program. Attributes are at the locations of Attribute, samplers are named
+/// texture_0 …, uniform arrays as in UNIFORM_GROUP_NAMES.
+struct ProgramText
+{
+    std::string vertex;
+    std::string fragment;
+};
+
+/// The values of one uniform group. revision is new whenever a value is.
+struct UniformValues
+{
+    std::span<const glm::vec4> values;
+    std::uint64_t revision = 0;
+};
+
+/// The fixed state of the ES pipeline that a draw wants; names as in OpenGL 1.5, table 6.x.
+struct Pipeline
+{
+    std::array<GLint, 4> viewport{};
+    std::array<GLfloat, 2> depth_range{0, 1};
+    bool depth_test = false;
+    bool depth_mask = true;
+    GLenum depth_func = GL_LESS;
+    bool cull_face = false;
+    GLenum cull_face_mode = GL_BACK;
+    GLenum front_face = GL_CCW;
+    bool blend = false;
+    GLenum blend_source = GL_ONE;
+    GLenum blend_destination = GL_ZERO;
+    std::array<bool, 4> color_mask{true, true, true, true};
+    bool dither = true;
+    GLfloat line_width = 1;
+    bool operator==(const Pipeline&) const = default;
+};
+
+/// Everything a draw needs besides its vertices.
+struct DrawState
+{
+    ProgramId program = 0;
+    std::array<UniformValues, UNIFORM_GROUP_COUNT> uniforms;
+    std::array<TextureId, TEXTURE_UNIT_COUNT> textures{};
+    Pipeline pipeline;
+    /// What an attribute is for all vertices when the format lacks it.
+    const CurrentAttributes* constants = nullptr;
+};
+
+struct Clear
+{
+    GLbitfield buffers = 0; ///< GL_COLOR_BUFFER_BIT …
+    glm::vec4 color{0, 0, 0, 0};
+    GLfloat depth = 1;
+    GLint stencil = 0;
+};
+
+/// How a texture is sampled (OpenGL 1.5, table 6.16).
+struct Sampling
+{
+    GLenum minify = GL_NEAREST_MIPMAP_LINEAR;
+    GLenum magnify = GL_LINEAR;
+    GLenum wrap_s = GL_REPEAT;
+    GLenum wrap_t = GL_REPEAT;
+    bool operator==(const Sampling&) const = default;
+};
+
+/// What legacygl needs of the graphics below: one small interface, so that tests can record it.
+///
+/// Objects made before context_lost() are gone afterwards; their makers make them again.
+class Backend
+{
+public:
+    virtual ~Backend() = default;
+
+    virtual ProgramId create_program(const ProgramText& text) = 0;
+    virtual GeometryId create_geometry(const VertexFormat& format, std::span<const float> vertices,
+                                       std::span<const std::uint32_t> indices) = 0;
+    virtual void destroy_geometry(GeometryId id) = 0;
+    virtual TextureId create_texture() = 0;
+    virtual void destroy_texture(TextureId id) = 0;
+    /// Replaces one mipmap level by width × height RGBA pixels of a byte a channel, the bottom row first.
+    virtual void texture_image(TextureId id, int level, int width, int height,
+                               std::span<const std::uint8_t> rgba) = 0;
+    virtual void generate_mipmap(TextureId id) = 0;
+    virtual void sampling(TextureId id, const Sampling& sampling) = 0;
+
+    virtual void draw(const DrawState& state, GeometryId geometry, std::span<const DrawRun> runs) = 0;
+    /// Draws vertices that are used once.
+    virtual void draw_stream(const DrawState& state, const VertexFormat& format,
+                             std::span<const float> vertices, std::span<const std::uint32_t> indices,
+                             std::span<const DrawRun> runs) = 0;
+    /// Clears within the pipeline's masks.
+    virtual void clear(const Pipeline& pipeline, const Clear& clear) = 0;
+    /// Reads width × height RGBA pixels of a byte a channel, the bottom row first.
+    virtual void read_pixels(int x, int y, int width, int height, std::span<std::uint8_t> rgba) = 0;
+    virtual void flush(bool wait) = 0;
+
+    virtual void resize(int width, int height) = 0;
+    virtual void present() = 0;
+    virtual void context_lost() = 0;
+    virtual void context_restored() = 0;
+
+    LegacyGLCounters counters{};
+    /// Counts the ES contexts lost so far; an object made in another generation is gone.
+    std::uint32_t generation = 0;
+};
+
+/// One object of a backend: freed with its owner, forgotten when its context was lost.
+template <class Id, void (Backend::*destroy)(Id)> class BackendObject
+{
+public:
+    BackendObject() = default;
+    BackendObject(const BackendObject&) = delete;
+    BackendObject& operator=(const BackendObject&) = delete;
+    ~BackendObject() { reset(); }
+
+    /// Whether the object is there; if not, its maker makes it again.
+    bool valid() const { return id_ != 0 && backend_->generation == generation_; }
+    Id id() const { return id_; }
+    void set(Backend& backend, Id id)
+    {
+        reset();
+        backend_ = &backend;
+        id_ = id;
+        generation_ = backend.generation;
+    }
+    void reset()
+    {
+        if (valid())
+            (backend_->*destroy)(id_);
+        id_ = 0;
+    }
+
+private:
+    Backend* backend_ = nullptr;
+    Id id_ = 0;
+    std::uint32_t generation_ = 0;
+};
+
+using GeometryObject = BackendObject<GeometryId, &Backend::destroy_geometry>;
+using TextureObject = BackendObject<TextureId, &Backend::destroy_texture>;
+
+} // namespace legacygl

@@ -1,0 +1,23 @@
+#include "legacygl/backend/es3_functions.h"
+
+namespace legacygl {
+
+std::string Es3Functions::load([[maybe_unused]] LegacyGLLoader loader)
+{
+#ifdef __EMSCRIPTEN__
+#define LEGACYGL_LOAD(result, name, parameters) name = emscripten_gl##name;
+    LEGACYGL_ES3_FUNCTIONS(LEGACYGL_LOAD)
+#else
+    if (!loader)
+        return "any: there is no loader";
+#define LEGACYGL_LOAD(result, name, parameters)                                                              \
+    name = reinterpret_cast<result(*) parameters>(loader("gl" #name));                                       \
+    if (!name)                                                                                               \
+        return "gl" #name;
+    LEGACYGL_ES3_FUNCTIONS(LEGACYGL_LOAD)
+#endif
+#undef LEGACYGL_LOAD
+    return {};
+}
+
+} // namespace legacygl

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "legacygl/renderer.h"
+#include "legacygl/state/state.h"
+
+namespace legacygl {
+
+/// Something that glEnable switches: where its flag is, and what a draw must look at again.
+struct Capability
+{
+    bool* flag; ///< Null: not a capability.
+    std::uint32_t change;
+};
+
+/// Finds a capability; the one table that glEnable, glDisable and glIsEnabled read.
+inline Capability find_capability(State& state, GLenum capability)
+{
+    LightingState& lighting = state.lighting;
+    if (capability >= GL_LIGHT0 && capability < GL_LIGHT0 + LIGHT_COUNT)
+        return {&lighting.lights[capability - GL_LIGHT0].enabled, Renderer::lighting};
+    switch (capability) {
+    case GL_LIGHTING:
+        return {&lighting.enabled, Renderer::lighting};
+    case GL_COLOR_MATERIAL:
+        return {&lighting.color_material, Renderer::lighting};
+    case GL_NORMALIZE:
+        return {&state.transform.normalize, Renderer::lighting};
+    case GL_RESCALE_NORMAL:
+        return {&state.transform.rescale_normal, Renderer::lighting};
+    case GL_TEXTURE_2D:
+        return {&state.texturing.enabled_2d, Renderer::texturing};
+    case GL_CULL_FACE:
+        return {&state.raster.cull_face, Renderer::pipeline};
+    case GL_DEPTH_TEST:
+        return {&state.fragment.depth_test, Renderer::pipeline};
+    case GL_BLEND:
+        return {&state.fragment.blend, Renderer::pipeline};
+    case GL_DITHER:
+        return {&state.fragment.dither, Renderer::pipeline};
+    default:
+        return {nullptr, 0};
+    }
+}
+
+} // namespace legacygl

@@ -1,0 +1,75 @@
+#include "legacygl/context.h"
+
+namespace legacygl {
+namespace {
+
+constexpr int MAXIMUM_LIST_NESTING = 64;
+
+} // namespace
+
+Context* current_context = nullptr;
+
+Context::Context(std::unique_ptr<Backend> made, int w, int h)
+    : backend(std::move(made)), renderer(*backend), width(w), height(h)
+{
+    state.transform.viewport = {0, 0, w, h};
+}
+
+void Context::begin(GLenum mode)
+{
+    if (immediate.inside())
+        return set_error(GL_INVALID_OPERATION);
+    if (mode > GL_POLYGON)
+        return set_error(GL_INVALID_ENUM);
+    if (!immediate.has_vertices())
+        immediate.set_wanted(renderer.attributes_read(state));
+    immediate.begin(mode);
+}
+
+void Context::end()
+{
+    if (!immediate.inside())
+        return set_error(GL_INVALID_OPERATION);
+    immediate.end();
+}
+
+void Context::draw_vertices()
+{
+    renderer.draw(state, immediate.batch());
+    immediate.clear();
+}
+
+void Context::call_list(GLuint name)
+{
+    if (list_depth >= MAXIMUM_LIST_NESTING)
+        return;
+    if (const std::shared_ptr<const DisplayList> list = lists.find(name)) {
+        ++list_depth;
+        list->run(*this);
+        --list_depth;
+    }
+}
+
+MatrixStack& Context::current_matrix_stack()
+{
+    switch (state.transform.matrix_mode) {
+    case GL_PROJECTION:
+        return state.transform.projection;
+    case GL_TEXTURE:
+        return state.transform.texture;
+    default:
+        return state.transform.modelview;
+    }
+}
+
+void Context::store_followed_color()
+{
+    LightingState& lighting = state.lighting;
+    const glm::vec4 color = state.current[index_of(Attribute::color)];
+    for (int face = 0; face < 2; ++face)
+        for (int p = 0; p < MATERIAL_PROPERTY_COUNT; ++p)
+            if (lighting.follows_color(face, static_cast<MaterialProperty>(p)))
+                lighting.materials[face].colors[p] = color;
+}
+
+} // namespace legacygl

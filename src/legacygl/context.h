@@ -1,0 +1,66 @@
+#pragma once
+
+#include "legacygl/backend/backend.h"
+#include "legacygl/capture.h"
+#include "legacygl/display_list.h"
+#include "legacygl/renderer.h"
+#include "legacygl/state/state.h"
+#include "legacygl/vertex_assembler.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace legacygl {
+
+/// One OpenGL: its state, its lists, and what draws for it.
+struct Context
+{
+    Context(std::unique_ptr<Backend> made, int width, int height);
+
+    std::unique_ptr<Backend> backend; ///< First, so that lists and textures can free their objects.
+    State state;
+    GLenum error = GL_NO_ERROR;
+    VertexAssembler immediate{state.current, VertexAssembler::Use::immediate};
+    Renderer renderer;
+    ListStore lists;
+    std::optional<ListCompiler> compiler; ///< Between glNewList and glEndList.
+    GLuint list_base = 0;
+    int list_depth = 0; ///< How many lists are being called.
+    Capture capture;
+    int width;
+    int height;
+
+    /// Notes an error; the first one stays until glGetError (OpenGL 1.5, 2.5).
+    void set_error(GLenum code)
+    {
+        if (error == GL_NO_ERROR)
+            error = code;
+    }
+    template <class... Args> void note(const char* name, const Args&... args)
+    {
+        capture.note(name, list_depth, state.transform.modelview.top().values(), args...);
+    }
+
+    void begin(GLenum mode);
+    void end();
+    /// Draws the vertices that wait; every change of state does so first.
+    void flush_vertices()
+    {
+        if (!immediate.batch().primitives.empty())
+            draw_vertices();
+    }
+    /// Runs the list of that name; unknown names and too deep a nesting do nothing (OpenGL 1.5, 5.4).
+    void call_list(GLuint name);
+    MatrixStack& current_matrix_stack();
+    /// Writes the colour into the material properties that follow it.
+    void store_followed_color();
+
+private:
+    void draw_vertices();
+};
+
+/// The context that gl* calls go to; null when there is none.
+extern Context* current_context;
+
+} // namespace legacygl

@@ -1,0 +1,54 @@
+// glEnable, glDisable, glIsEnabled.
+
+#include "legacygl/capabilities.h"
+#include "legacygl/dispatch.h"
+
+using namespace legacygl;
+
+namespace {
+
+void set_capability(Context& gl, GLenum capability, bool enabled)
+{
+    const Capability found = find_capability(gl.state, capability);
+    if (!found.flag)
+        return gl.set_error(GL_INVALID_ENUM);
+    if (capability == GL_COLOR_MATERIAL)
+        gl.store_followed_color(); // Before it ends: the material keeps the last colour.
+    *found.flag = enabled;
+    if (capability == GL_COLOR_MATERIAL)
+        gl.store_followed_color(); // From its begin on.
+    gl.renderer.changed(found.change);
+}
+
+} // namespace
+
+extern "C" {
+
+void glEnable(GLenum cap)
+{
+    dispatch(
+        __func__, [](Context& gl, GLenum c) { set_capability(gl, c, true); }, cap);
+}
+
+void glDisable(GLenum cap)
+{
+    dispatch(
+        __func__, [](Context& gl, GLenum c) { set_capability(gl, c, false); }, cap);
+}
+
+GLboolean glIsEnabled(GLenum cap)
+{
+    bool enabled = false;
+    dispatch_now(
+        __func__,
+        [&enabled](Context& gl, GLenum c) {
+            const Capability found = find_capability(gl.state, c);
+            if (!found.flag)
+                return gl.set_error(GL_INVALID_ENUM);
+            enabled = *found.flag;
+        },
+        cap);
+    return enabled;
+}
+
+} // extern "C"

@@ -1,0 +1,192 @@
+// Rasterising and per-fragment state, clearing and finishing (OpenGL 1.5, chapters 3 and 4).
+
+#include "legacygl/dispatch.h"
+
+#include <algorithm>
+
+using namespace legacygl;
+
+namespace {
+
+bool is_face(GLenum face)
+{
+    return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
+}
+
+bool is_blend_factor(GLenum factor, bool source)
+{
+    switch (factor) {
+    case GL_ZERO:
+    case GL_ONE:
+    case GL_SRC_COLOR:
+    case GL_ONE_MINUS_SRC_COLOR:
+    case GL_DST_COLOR:
+    case GL_ONE_MINUS_DST_COLOR:
+    case GL_SRC_ALPHA:
+    case GL_ONE_MINUS_SRC_ALPHA:
+    case GL_DST_ALPHA:
+    case GL_ONE_MINUS_DST_ALPHA:
+        return true;
+    case GL_SRC_ALPHA_SATURATE:
+        return source;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+extern "C" {
+
+void glCullFace(GLenum mode)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum m) {
+            if (!is_face(m))
+                return gl.set_error(GL_INVALID_ENUM);
+            gl.state.raster.cull_face_mode = m;
+            gl.renderer.changed(Renderer::pipeline);
+        },
+        mode);
+}
+
+void glFrontFace(GLenum mode)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum m) {
+            if (m != GL_CW && m != GL_CCW)
+                return gl.set_error(GL_INVALID_ENUM);
+            gl.state.raster.front_face = m;
+            gl.renderer.changed(Renderer::pipeline);
+        },
+        mode);
+}
+
+void glLineWidth(GLfloat width)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, float w) {
+            if (!(w > 0))
+                return gl.set_error(GL_INVALID_VALUE);
+            gl.state.raster.line_width = w;
+            gl.renderer.changed(Renderer::pipeline);
+        },
+        width);
+}
+
+void glPointSize(GLfloat size)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, float s) {
+            if (!(s > 0))
+                return gl.set_error(GL_INVALID_VALUE);
+            gl.state.raster.point_size = s;
+            gl.renderer.changed(Renderer::matrices); // It lies beside the matrices.
+        },
+        size);
+}
+
+void glDepthFunc(GLenum func)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum f) {
+            if (f < GL_NEVER || f > GL_ALWAYS)
+                return gl.set_error(GL_INVALID_ENUM);
+            gl.state.fragment.depth_func = f;
+            gl.renderer.changed(Renderer::pipeline);
+        },
+        func);
+}
+
+void glDepthMask(GLboolean flag)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLboolean f) {
+            gl.state.fragment.depth_mask = f != GL_FALSE;
+            gl.renderer.changed(Renderer::pipeline);
+        },
+        flag);
+}
+
+void glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLboolean r, GLboolean g, GLboolean b, GLboolean a) {
+            gl.state.fragment.color_mask = {r != GL_FALSE, g != GL_FALSE, b != GL_FALSE, a != GL_FALSE};
+            gl.renderer.changed(Renderer::pipeline);
+        },
+        red, green, blue, alpha);
+}
+
+void glBlendFunc(GLenum sfactor, GLenum dfactor)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum source, GLenum destination) {
+            if (!is_blend_factor(source, true) || !is_blend_factor(destination, false))
+                return gl.set_error(GL_INVALID_ENUM);
+            gl.state.fragment.blend_source = source;
+            gl.state.fragment.blend_destination = destination;
+            gl.renderer.changed(Renderer::pipeline);
+        },
+        sfactor, dfactor);
+}
+
+void glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, float r, float g, float b, float a) {
+            const auto clamp = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
+            gl.state.fragment.clear_color = {clamp(r), clamp(g), clamp(b), clamp(a)};
+        },
+        red, green, blue, alpha);
+}
+
+void glClearDepth(GLclampd depth)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, double d) {
+            gl.state.fragment.clear_depth = static_cast<float>(std::clamp(d, 0.0, 1.0));
+        },
+        depth);
+}
+
+void glClearStencil(GLint s)
+{
+    dispatch(
+        __func__, [](Context& gl, GLint value) { gl.state.fragment.clear_stencil = value; }, s);
+}
+
+void glClear(GLbitfield mask)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLbitfield buffers) {
+            constexpr GLbitfield ours = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+            if (buffers & ~(ours | GL_ACCUM_BUFFER_BIT))
+                return gl.set_error(GL_INVALID_VALUE);
+            gl.renderer.clear(gl.state, buffers & ours);
+        },
+        mask);
+}
+
+void glFlush()
+{
+    dispatch_now(__func__, [](Context& gl) { gl.backend->flush(false); });
+}
+
+void glFinish()
+{
+    dispatch_now(__func__, [](Context& gl) { gl.backend->flush(true); });
+}
+
+} // extern "C"

@@ -1,0 +1,73 @@
+// Pixel storage and reading back (OpenGL 1.5, 3.6.1 and 4.3.2).
+
+#include "legacygl/dispatch.h"
+#include "legacygl/pixel_conversion.h"
+
+#include <vector>
+
+using namespace legacygl;
+
+namespace {
+
+void set_store(Context& gl, GLenum name, GLint value)
+{
+    const bool packs = name >= GL_PACK_SWAP_BYTES && name <= GL_PACK_ALIGNMENT;
+    PixelStore& store = packs ? gl.state.pack : gl.state.unpack;
+    const auto set = [&](GLint& member) {
+        if (value < 0)
+            return gl.set_error(GL_INVALID_VALUE);
+        member = value;
+    };
+    switch (name) {
+    case GL_PACK_ROW_LENGTH:
+    case GL_UNPACK_ROW_LENGTH:
+        return set(store.row_length);
+    case GL_PACK_SKIP_ROWS:
+    case GL_UNPACK_SKIP_ROWS:
+        return set(store.skip_rows);
+    case GL_PACK_SKIP_PIXELS:
+    case GL_UNPACK_SKIP_PIXELS:
+        return set(store.skip_pixels);
+    case GL_PACK_ALIGNMENT:
+    case GL_UNPACK_ALIGNMENT:
+        if (value != 1 && value != 2 && value != 4 && value != 8)
+            return gl.set_error(GL_INVALID_VALUE);
+        store.alignment = value;
+        return;
+    default:
+        gl.set_error(GL_INVALID_ENUM);
+    }
+}
+
+} // namespace
+
+extern "C" {
+
+void glPixelStorei(GLenum pname, GLint param)
+{
+    dispatch_now(__func__, set_store, pname, param);
+}
+
+void glPixelStoref(GLenum pname, GLfloat param)
+{
+    dispatch_now(__func__, set_store, pname, static_cast<GLint>(param));
+}
+
+void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, GLvoid* pixels)
+{
+    dispatch_now(
+        __func__,
+        [pixels](Context& gl, GLint left, GLint bottom, GLsizei w, GLsizei h, GLenum f, GLenum t) {
+            if (w < 0 || h < 0)
+                return gl.set_error(GL_INVALID_VALUE);
+            const bool luminance = f == GL_LUMINANCE || f == GL_LUMINANCE_ALPHA;
+            if (values_per_pixel(f) == 0 || luminance || (t != GL_UNSIGNED_BYTE && t != GL_FLOAT))
+                return gl.set_error(GL_INVALID_ENUM);
+            std::vector<std::uint8_t> rgba(static_cast<std::size_t>(w) * h * 4);
+            gl.backend->read_pixels(left, bottom, w, h, rgba);
+            pack_pixels(gl.state.pack, w, h, f, t, rgba.data(), static_cast<std::uint8_t*>(pixels));
+        },
+        x, y, width, height, format, type);
+}
+
+} // extern "C"

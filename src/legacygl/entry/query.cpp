@@ -1,0 +1,97 @@
+// Queries (OpenGL 1.5, 6.1).
+
+#include "legacygl/query.h"
+
+#include "legacygl/dispatch.h"
+
+#include <cmath>
+
+using namespace legacygl;
+
+namespace {
+
+template <class T> T convert(QueryValue::Kind kind, double value)
+{
+    if constexpr (std::is_same_v<T, GLboolean>)
+        return value != 0 ? GL_TRUE : GL_FALSE;
+    else if constexpr (std::is_same_v<T, GLint>)
+        // A fraction is spread over all integers, the greatest for 1 (OpenGL 1.5, 6.1.2).
+        return kind == QueryValue::Kind::normalized ? static_cast<GLint>(value * 2147483647.0)
+                                                    : static_cast<GLint>(std::lround(value));
+    else
+        return static_cast<T>(value);
+}
+
+template <class T> void get(const char* entry, GLenum name, T* params)
+{
+    dispatch_now(
+        entry,
+        [params](Context& gl, GLenum n) {
+            const QueryValue value = query(gl, n);
+            if (value.count == 0)
+                return gl.set_error(GL_INVALID_ENUM);
+            for (int i = 0; i < value.count; ++i)
+                params[i] = convert<T>(value.kind, value.values[i]);
+        },
+        name);
+}
+
+} // namespace
+
+extern "C" {
+
+void glGetBooleanv(GLenum pname, GLboolean* params)
+{
+    get(__func__, pname, params);
+}
+
+void glGetIntegerv(GLenum pname, GLint* params)
+{
+    get(__func__, pname, params);
+}
+
+void glGetFloatv(GLenum pname, GLfloat* params)
+{
+    get(__func__, pname, params);
+}
+
+void glGetDoublev(GLenum pname, GLdouble* params)
+{
+    get(__func__, pname, params);
+}
+
+GLenum glGetError()
+{
+    GLenum code = GL_NO_ERROR;
+    dispatch_now(__func__, [&code](Context& gl) { code = std::exchange(gl.error, GL_NO_ERROR); });
+    return code;
+}
+
+const GLubyte* glGetString(GLenum name)
+{
+    const char* text = nullptr;
+    dispatch_now(
+        __func__,
+        [&text](Context& gl, GLenum n) {
+            switch (n) {
+            case GL_VENDOR:
+                text = "Tank Lab";
+                break;
+            case GL_RENDERER:
+                text = "legacygl";
+                break;
+            case GL_VERSION:
+                text = "1.0 legacygl (a part of OpenGL 1.1; see legacygl.h)";
+                break;
+            case GL_EXTENSIONS:
+                text = "";
+                break;
+            default:
+                gl.set_error(GL_INVALID_ENUM);
+            }
+        },
+        name);
+    return reinterpret_cast<const GLubyte*>(text);
+}
+
+} // extern "C"

@@ -1,0 +1,18 @@
+#include "legacygl/list_geometry.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace legacygl {
+
+ListGeometry::ListGeometry(VertexBatch vertices) : batch(std::move(vertices))
+{
+    drawable = std::all_of(batch.primitives.begin(), batch.primitives.end(),
+                           [](const Primitive& p) { return p.begins && p.ends && p.mode <= GL_POLYGON; }) &&
+               std::all_of(batch.unset_before.begin(), batch.unset_before.end(),
+                           [](std::uint32_t count) { return count == 0; });
+    if (drawable)
+        make_runs(batch.primitives, runs, indices);
+}
+
+} // namespace legacygl

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "legacygl/backend/backend.h"
+#include "legacygl/primitives.h"
+#include "legacygl/vertex_assembler.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace legacygl {
+
+/// Vertices of a display list, and the backend's copy of them.
+///
+/// Keeps the vertices themselves: to build the copy again after a lost context, to replay them one by one
+/// where a draw call would be wrong, and for capture.
+struct ListGeometry
+{
+    explicit ListGeometry(VertexBatch vertices);
+
+    /// Whether one draw call says all: every primitive begins and ends here, and no vertex needs a value
+    /// that only the caller knows.
+    bool drawable = false;
+    VertexBatch batch;
+    std::vector<DrawRun> runs;
+    std::vector<std::uint32_t> indices;
+    GeometryObject object; ///< The backend's copy, made at the first draw.
+};
+
+} // namespace legacygl

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "legacygl/backend/backend.h"
+#include "legacygl/list_geometry.h"
+#include "legacygl/shader_key.h"
+#include "legacygl/state/state.h"
+
+#include <array>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace legacygl {
+
+/// Turns state and vertices into draws of the backend, computing anew only what changed.
+class Renderer
+{
+public:
+    explicit Renderer(Backend& backend) : backend_(backend) {}
+
+    /// What a command changed, so that the next draw looks at it again.
+    enum Change : std::uint32_t
+    {
+        matrices = 1,
+        lighting = 2,
+        texturing = 4,
+        pipeline = 8,
+        everything = ~0u
+    };
+    void changed(std::uint32_t what) { changed_ |= what; }
+
+    /// Returns the attributes that the state makes use of, as bits of Attribute.
+    std::uint32_t attributes_read(const State& state);
+
+    void draw(const State& state, const VertexBatch& batch);
+    void draw(const State& state, ListGeometry& geometry);
+    void clear(const State& state, GLbitfield buffers);
+    void forget_objects();
+
+private:
+    struct Group
+    {
+        std::vector<glm::vec4> values;
+        std::uint64_t revision = 0;
+    };
+
+    const ShaderKey& key_for(const State& state, PrimitiveClass primitive);
+    const DrawState& prepare(const State& state, PrimitiveClass primitive);
+    ProgramId program(const ShaderKey& key);
+    TextureId texture(Texture& texture);
+    template <class Fill> void refill(UniformGroup group, int size, Fill fill);
+    template <class Draw> void for_each_class(std::span<const DrawRun> runs, Draw draw);
+
+    Backend& backend_;
+    std::uint32_t changed_ = everything;
+    std::optional<ShaderKey> key_; ///< Of the last draw, while nothing changed.
+    std::unordered_map<ShaderKey, ProgramId, ShaderKeyHash> programs_;
+    std::array<Group, UNIFORM_GROUP_COUNT> groups_;
+    DrawState draw_state_;
+    std::vector<DrawRun> runs_;          ///< Scratch, kept so that a steady frame allocates nothing.
+    std::vector<std::uint32_t> indices_; ///< Scratch.
+};
+
+/// Returns the state of the ES pipeline that the state asks for.
+Pipeline make_pipeline(const State& state);
+
+} // namespace legacygl

@@ -1,0 +1,118 @@
+#pragma once
+
+#include "legacygl/state/state.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace legacygl {
+
+/// The base formats of OpenGL 1.5, table 3.15.
+enum class BaseFormat : std::uint8_t
+{
+    none,
+    alpha,
+    luminance,
+    luminance_alpha,
+    intensity,
+    rgb,
+    rgba
+};
+
+/// What of an enabled light changes the text of the shader.
+struct LightKey
+{
+    bool positional = false;
+    bool spot = false;
+    bool attenuated = false;
+    bool operator==(const LightKey&) const = default;
+};
+
+/// What of the state changes the text of the fixed-function shader; everything else is a uniform.
+struct ShaderKey
+{
+    bool lighting = false;
+    bool eye_space = false; ///< Light in eye coordinates; otherwise in object coordinates, as Mesa does
+                            ///< when no light needs a vertex's place and the modelview keeps lengths.
+    bool normalize = false;
+    bool rescale = false;
+    bool local_viewer = false;
+    bool two_side = false;
+    bool separate_specular = false;
+    bool specular = false; ///< Some shininess is not 0.
+    /// Bit face * 4 + property: the material property follows the colour.
+    std::uint8_t follows_color = 0;
+    std::uint8_t light_count = 0;
+    std::array<LightKey, LIGHT_COUNT> lights{};
+    BaseFormat texture = BaseFormat::none;
+    GLenum texture_environment = 0; ///< 0 without a texture.
+    bool texture_matrix = false;
+    bool flat = false;
+    bool points = false;
+
+    bool operator==(const ShaderKey&) const = default;
+    bool follows(int face, MaterialProperty property) const
+    {
+        return follows_color & (1u << (face * MATERIAL_PROPERTY_COUNT + static_cast<int>(property)));
+    }
+    /// Whether the vertex's place in eye coordinates is needed.
+    bool needs_eye_position() const
+    {
+        if (!lighting)
+            return false;
+        for (int i = 0; i < light_count; ++i)
+            if (lights[i].positional)
+                return true;
+        return local_viewer;
+    }
+    bool needs_normal_scale() const { return lighting && !normalize && eye_space == rescale; }
+};
+
+struct ShaderKeyHash
+{
+    std::size_t operator()(const ShaderKey& key) const;
+};
+
+/// Returns the key of the state, for primitives of one class.
+ShaderKey make_shader_key(const State& state, PrimitiveClass primitive);
+
+/// Which attributes the shader of the key reads, as bits of Attribute.
+std::uint32_t attributes_read(const ShaderKey& key);
+
+/// Where the values that depend on the matrices lie in the uniform array `transform`, in vec4s; -1: absent.
+struct TransformLayout
+{
+    explicit TransformLayout(const ShaderKey& key);
+    int projection_modelview = 0; ///< 4 columns
+    int modelview = -1;           ///< 4 columns
+    int normal = -1;              ///< 3 rows of the inverse transpose
+    int normal_scale = -1;        ///< x
+    int object_lights = -1;       ///< direction and half vector for each light, in object coordinates
+    int point_size = -1;          ///< x
+    int size = 4;
+};
+
+/// Where things lie in the uniform array `lighting`, in vec4s.
+namespace lighting_layout {
+/// For each face, from FACE + face * FACE_SIZE.
+constexpr int FACE = 0, SCENE_COLOR = 0, FACE_AMBIENT = 1, FACE_DIFFUSE = 2, FACE_SPECULAR = 3,
+              FACE_EMISSION = 4, FACE_SHININESS = 5, FACE_SIZE = 6;
+constexpr int MODEL_AMBIENT = 2 * FACE_SIZE;
+/// For each enabled light, from LIGHT + i * LIGHT_SIZE. PRODUCT + face * 3 + (0 ambient, 1 diffuse,
+/// 2 specular) is light × material, or the light alone where the material follows the colour.
+constexpr int LIGHT = MODEL_AMBIENT + 1, POSITION = 0, HALF_VECTOR = 1, SPOT = 2, ATTENUATION = 3,
+              PRODUCT = 4, LIGHT_SIZE = 10;
+constexpr int MAXIMUM_SIZE = LIGHT + LIGHT_COUNT * LIGHT_SIZE;
+constexpr int size(int light_count)
+{
+    return LIGHT + light_count * LIGHT_SIZE;
+}
+} // namespace lighting_layout
+
+/// Where things lie in the uniform array `texturing`, in vec4s.
+namespace texturing_layout {
+constexpr int ENVIRONMENT_COLOR = 0, MATRIX = 1, SIZE = 5;
+}
+
+} // namespace legacygl

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "legacygl/shader_key.h"
+
+#include <glm/vec4.hpp>
+
+#include <span>
+
+namespace legacygl {
+
+/// Fills the uniform array `transform`; out has TransformLayout(key).size elements.
+void fill_transform(const State& state, const ShaderKey& key, std::span<glm::vec4> out);
+
+/// Fills the uniform array `lighting`; out has lighting_layout::size(key.light_count) elements.
+void fill_lighting(const State& state, const ShaderKey& key, std::span<glm::vec4> out);
+
+/// Fills the uniform array `texturing`; out has texturing_layout::SIZE elements.
+void fill_texturing(const State& state, std::span<glm::vec4> out);
+
+} // namespace legacygl

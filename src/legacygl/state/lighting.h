@@ -1,0 +1,90 @@
+#pragma once
+
+#include <GL/gl.h>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace legacygl {
+
+constexpr int LIGHT_COUNT = 8;
+
+/// OpenGL 1.5, table 6.12; position and direction are in eye coordinates.
+struct Light
+{
+    bool enabled = false;
+    glm::vec4 ambient{0, 0, 0, 1};
+    glm::vec4 diffuse{0, 0, 0, 1};
+    glm::vec4 specular{0, 0, 0, 1};
+    glm::vec4 position{0, 0, 1, 0};
+    glm::vec3 spot_direction{0, 0, -1};
+    float spot_exponent = 0;
+    float spot_cutoff_degrees = 180;
+    std::array<float, 3> attenuation{1, 0, 0}; ///< constant, linear, quadratic
+};
+
+/// What of a material can vary; the order is that of the shaders' products.
+enum class MaterialProperty : std::uint8_t
+{
+    ambient,
+    diffuse,
+    specular,
+    emission,
+    count
+};
+constexpr int MATERIAL_PROPERTY_COUNT = static_cast<int>(MaterialProperty::count);
+
+/// OpenGL 1.5, table 6.11.
+struct Material
+{
+    std::array<glm::vec4, MATERIAL_PROPERTY_COUNT> colors{
+        glm::vec4(0.2f, 0.2f, 0.2f, 1), {0.8f, 0.8f, 0.8f, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}};
+    float shininess = 0;
+    glm::vec4& operator[](MaterialProperty p) { return colors[static_cast<int>(p)]; }
+    const glm::vec4& operator[](MaterialProperty p) const { return colors[static_cast<int>(p)]; }
+};
+
+/// OpenGL 1.5, tables 6.10 to 6.12.
+struct LightingState
+{
+    LightingState() { lights[0].diffuse = lights[0].specular = {1, 1, 1, 1}; }
+
+    bool enabled = false;
+    GLenum shade_model = GL_SMOOTH;
+    bool color_material = false;
+    GLenum color_material_face = GL_FRONT_AND_BACK;
+    GLenum color_material_mode = GL_AMBIENT_AND_DIFFUSE;
+    std::array<Material, 2> materials; ///< front, back
+    glm::vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
+    bool local_viewer = false;
+    bool two_side = false;
+    bool separate_specular = false;
+    std::array<Light, LIGHT_COUNT> lights;
+
+    /// Returns whether glColor sets this property of this face (0 front, 1 back).
+    bool follows_color(int face, MaterialProperty property) const;
+};
+
+inline bool LightingState::follows_color(int face, MaterialProperty property) const
+{
+    if (!color_material)
+        return false;
+    if (color_material_face != GL_FRONT_AND_BACK && (color_material_face == GL_BACK) != (face == 1))
+        return false;
+    switch (color_material_mode) {
+    case GL_AMBIENT:
+        return property == MaterialProperty::ambient;
+    case GL_DIFFUSE:
+        return property == MaterialProperty::diffuse;
+    case GL_SPECULAR:
+        return property == MaterialProperty::specular;
+    case GL_EMISSION:
+        return property == MaterialProperty::emission;
+    default:
+        return property == MaterialProperty::ambient || property == MaterialProperty::diffuse;
+    }
+}
+
+} // namespace legacygl

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "legacygl/matrix.h"
+
+#include <GL/gl.h>
+
+#include <array>
+#include <vector>
+
+namespace legacygl {
+
+/// A stack of matrices, at least one deep.
+class MatrixStack
+{
+public:
+    explicit MatrixStack(std::size_t capacity) : capacity_(capacity)
+    {
+        matrices_.reserve(capacity);
+        matrices_.emplace_back();
+    }
+    Matrix& top() { return matrices_.back(); }
+    const Matrix& top() const { return matrices_.back(); }
+    /// Duplicates the top. Returns false when the stack is full.
+    bool push()
+    {
+        if (matrices_.size() == capacity_)
+            return false;
+        matrices_.push_back(matrices_.back());
+        return true;
+    }
+    /// Returns false when only one matrix is left.
+    bool pop()
+    {
+        if (matrices_.size() == 1)
+            return false;
+        matrices_.pop_back();
+        return true;
+    }
+    std::size_t depth() const { return matrices_.size(); }
+    std::size_t capacity() const { return capacity_; }
+
+private:
+    std::size_t capacity_;
+    std::vector<Matrix> matrices_;
+};
+
+/// OpenGL 1.5, table 6.9.
+struct TransformState
+{
+    MatrixStack modelview{32};
+    MatrixStack projection{32};
+    MatrixStack texture{32};
+    GLenum matrix_mode = GL_MODELVIEW;
+    std::array<GLint, 4> viewport{};
+    std::array<GLfloat, 2> depth_range{0, 1};
+    bool normalize = false;
+    bool rescale_normal = false;
+};
+
+} // namespace legacygl

@@ -1,0 +1,127 @@
+#include "legacygl/vertex_assembler.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace legacygl {
+namespace {
+
+constexpr glm::vec4 DEFAULT_COMPONENTS = {0, 0, 0, 1};
+
+/// Returns how many leading components say all of the value; the others are (0, 0, 0, 1)'s.
+int significant_components(const glm::vec4& value, int at_least)
+{
+    int n = 4;
+    while (n > at_least && value[n - 1] == DEFAULT_COMPONENTS[n - 1])
+        --n;
+    return n;
+}
+
+} // namespace
+
+void VertexAssembler::begin(GLenum mode)
+{
+    inside_ = true;
+    began_here_ = true;
+    mode_ = mode;
+    first_ = batch_.vertex_count;
+}
+
+void VertexAssembler::resume(GLenum mode)
+{
+    begin(mode);
+    began_here_ = false;
+}
+
+void VertexAssembler::end()
+{
+    if (!inside_)
+        resume(UNKNOWN_MODE);
+    close_primitive(true);
+    inside_ = false;
+}
+
+void VertexAssembler::close_primitive(bool ends)
+{
+    batch_.primitives.push_back({mode_, first_, batch_.vertex_count - first_, began_here_, ends});
+}
+
+VertexBatch VertexAssembler::take()
+{
+    if (inside_)
+        close_primitive(false);
+    batch_.last = *current_;
+    VertexBatch out = std::move(batch_);
+    out.vertices.resize(out.used_vertices().size());
+    out.vertices.shrink_to_fit();
+    batch_ = VertexBatch{};
+    clear();
+    return out;
+}
+
+void VertexAssembler::clear()
+{
+    batch_.format = VertexFormat{};
+    batch_.primitives.clear();
+    batch_.unset_before = {};
+    batch_.attributes_set = 0;
+    offsets_ = {};
+    floats_ = 0;
+    batch_.vertex_count = 0;
+    first_ = 0;
+    began_here_ = false;
+}
+
+void VertexAssembler::grow()
+{
+    batch_.vertices.resize(std::max<std::size_t>(1024, batch_.vertices.size() * 2) + floats_);
+}
+
+void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value)
+{
+    const int i = index_of(attribute);
+    const VertexFormat old = batch_.format;
+    const bool is_new = !old.has(attribute);
+    const glm::vec4 before = (*current_)[i];
+
+    int wanted = components;
+    if (attribute == Attribute::normal)
+        wanted = 3;
+    else if (is_new && attribute != Attribute::position)
+        wanted =
+            std::max(significant_components(before, components), significant_components(value, components));
+    batch_.format.components[i] = static_cast<std::uint8_t>(wanted);
+
+    // What earlier vertices hold in the new floats: the value before, or the components' defaults.
+    const bool has_value_before = is_new && attribute != Attribute::position && known(i);
+    if (is_new && attribute != Attribute::position && !known(i))
+        batch_.unset_before[i] = batch_.vertex_count;
+    const glm::vec4 filler = has_value_before ? before : DEFAULT_COMPONENTS;
+
+    const int old_floats = floats_;
+    const int old_components = old.components[i];
+    const int offset = old.offset(attribute);
+    floats_ = batch_.format.floats();
+    const auto convert = [&](const float* from, float* to) {
+        const int head = offset + old_components;
+        std::copy(from, from + head, to);
+        for (int c = old_components; c < wanted; ++c)
+            to[offset + c] = filler[c];
+        std::copy(from + head, from + old_floats, to + offset + wanted);
+    };
+
+    std::array<float, MAXIMUM_VERTEX_FLOATS> widened_template{};
+    convert(template_.data(), widened_template.data());
+    template_ = widened_template;
+    if (batch_.vertex_count != 0) {
+        std::vector<float> widened(static_cast<std::size_t>(batch_.vertex_count) * floats_);
+        for (std::uint32_t v = 0; v < batch_.vertex_count; ++v)
+            convert(batch_.vertices.data() + static_cast<std::size_t>(v) * old_floats,
+                    widened.data() + static_cast<std::size_t>(v) * floats_);
+        batch_.vertices = std::move(widened);
+    }
+    for (int a = 0; a < ATTRIBUTE_COUNT; ++a)
+        offsets_[a] = batch_.format.offset(static_cast<Attribute>(a));
+}
+
+} // namespace legacygl

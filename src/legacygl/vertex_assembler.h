@@ -1,0 +1,137 @@
+#pragma once
+
+#include "legacygl/vertex_format.h"
+
+#include <GL/gl.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+namespace legacygl {
+
+/// What stood between a glBegin and its glEnd, or a part of it.
+struct Primitive
+{
+    GLenum mode;
+    std::uint32_t first; ///< Its first vertex in the batch.
+    std::uint32_t count;
+    bool begins; ///< The glBegin is in this batch.
+    bool ends;   ///< The glEnd is in this batch.
+};
+
+/// Vertices of one format and the primitives made of them.
+struct VertexBatch
+{
+    VertexFormat format;
+    std::vector<float> vertices; ///< vertex_count × format.floats(), perhaps with room behind.
+    std::uint32_t vertex_count = 0;
+    std::vector<Primitive> primitives;
+    /// The first so many vertices came before the attribute was first set: what they hold is a filler.
+    std::array<std::uint32_t, ATTRIBUTE_COUNT> unset_before{};
+    /// Which attributes were set at all, as bits of Attribute, and the values they were left with.
+    std::uint32_t attributes_set = 0;
+    CurrentAttributes last{};
+
+    std::span<const float> used_vertices() const
+    {
+        return {vertices.data(), static_cast<std::size_t>(vertex_count) * format.floats()};
+    }
+    bool empty() const { return primitives.empty() && attributes_set == 0; }
+};
+
+/// Collects glBegin, attributes, glVertex and glEnd into a batch.
+///
+/// Follows Mesa's model: a template vertex holds the current attributes, and glVertex appends a copy. An
+/// attribute that first differs in the middle of a batch widens the format and fills in what came before.
+/// One object serves immediate mode, where the values before are known, and one each list being
+/// compiled, where they are those of the moment the list is called.
+class VertexAssembler
+{
+public:
+    enum class Use : bool
+    {
+        immediate,
+        list
+    };
+    /// A mode that stands for the unknown one of a primitive that a list goes on with.
+    static constexpr GLenum UNKNOWN_MODE = 0xffff;
+
+    /// current: the values the batch starts from; also updated by attribute(). In a list they count only
+    /// once they were set in the list.
+    VertexAssembler(CurrentAttributes& current, Use use) : current_(&current), use_(use) {}
+
+    /// Limits the format to the attributes in mask (bits of Attribute); others only become current.
+    void set_wanted(std::uint32_t mask) { wanted_ = mask; }
+    void begin(GLenum mode);
+    void end();
+    /// Goes on with a primitive that a previous batch began.
+    void resume(GLenum mode);
+    bool inside() const { return inside_; }
+    GLenum mode() const { return mode_; }
+
+    void attribute(Attribute attribute, int components, glm::vec4 value)
+    {
+        const int i = index_of(attribute);
+        if (has_vertices() && (wanted_ & (1u << i)) && !fits(i, components, value))
+            widen(attribute, components, value);
+        batch_.attributes_set |= 1u << i;
+        (*current_)[i] = value;
+        float* slot = template_.data() + offsets_[i];
+        for (int c = 0; c < batch_.format.components[i]; ++c)
+            slot[c] = value[c];
+    }
+
+    void vertex(int components, glm::vec4 position)
+    {
+        if (!inside_) {
+            if (use_ == Use::immediate)
+                return; // Undefined by the specification; nothing is drawn.
+            resume(UNKNOWN_MODE);
+        }
+        if (batch_.format.components[0] < components)
+            widen(Attribute::position, components, position);
+        for (int c = 0; c < batch_.format.components[0]; ++c)
+            template_[c] = position[c];
+        const std::size_t used = static_cast<std::size_t>(batch_.vertex_count) * floats_;
+        if (used + floats_ > batch_.vertices.size())
+            grow();
+        std::memcpy(batch_.vertices.data() + used, template_.data(), sizeof(float) * floats_);
+        ++batch_.vertex_count;
+    }
+
+    bool has_vertices() const { return batch_.vertex_count != 0; }
+    const VertexBatch& batch() const { return batch_; }
+    /// Closes what is open (it goes on in the next batch, see resume) and hands the batch out.
+    VertexBatch take();
+    /// Drops the batch but keeps its memory. Not inside a primitive.
+    void clear();
+
+private:
+    bool known(int i) const { return use_ == Use::immediate || (batch_.attributes_set & (1u << i)); }
+    /// Whether the format can hold the value: an attribute outside the format is one constant for all.
+    bool fits(int i, int components, const glm::vec4& value) const
+    {
+        const int present = batch_.format.components[i];
+        return present ? components <= present : known(i) && (*current_)[i] == value;
+    }
+    void widen(Attribute attribute, int components, glm::vec4 value);
+    void close_primitive(bool ends);
+    void grow();
+
+    CurrentAttributes* current_;
+    Use use_;
+    VertexBatch batch_;
+    std::array<float, MAXIMUM_VERTEX_FLOATS> template_{};
+    std::array<int, ATTRIBUTE_COUNT> offsets_{};
+    int floats_ = 0;
+    std::uint32_t wanted_ = ~0u;
+    bool inside_ = false;
+    bool began_here_ = false;
+    GLenum mode_ = GL_POINTS;
+    std::uint32_t first_ = 0;
+};
+
+} // namespace legacygl

@@ -1,0 +1,336 @@
+#include "mesh/image.h"
+#include "tests/mesh/invariants.h"
+#include "tests/mesh/sample_files.h"
+
+#include <gtest/gtest.h>
+#include <string>
+
+namespace {
+
+using mesh::Image;
+
+Image read(const Bytes& bytes)
+{
+    mesh::Result<Image> result = mesh::read_image("test.png", bytes);
+    EXPECT_TRUE(result) << (result ? "" : result.error().message());
+    if (!result)
+        return {};
+    EXPECT_EQ(broken_invariant(result.value()), "");
+    return std::move(result).value();
+}
+
+std::string refusal(const Bytes& bytes)
+{
+    const mesh::Result<Image> result = mesh::read_image("test.png", bytes);
+    if (result)
+        return "was read";
+    EXPECT_EQ(broken_invariant(result.error(), 0), "");
+    return result.error().message();
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+Bytes cut_short(Bytes bytes, std::size_t size)
+{
+    bytes.resize(size);
+    return bytes;
+}
+
+/// The pixel at (x, y), y counted from the top.
+Bytes pixel_from_top(const Image& image, int x, int y)
+{
+    const auto at = image.pixels.begin() + long(((image.height - 1 - y) * image.width + x) * image.channels);
+    return {at, at + image.channels};
+}
+
+/// Checks that the image is the picture upside down, in the picture's channels.
+void expect_flipped(const Image& image, const Picture& picture)
+{
+    ASSERT_EQ(image.width, picture.width);
+    ASSERT_EQ(image.height, picture.height);
+    ASSERT_EQ(image.channels, picture.channels);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const auto at = picture.pixels.begin() + long((y * picture.width + x) * picture.channels);
+            ASSERT_EQ(pixel_from_top(image, x, y), Bytes(at, at + picture.channels)) << x << ", " << y;
+        }
+}
+
+TEST(ReadImage, PutsTheBottomRowFirst)
+{
+    const Bytes red = {255, 0, 0};
+    const Bytes blue = {0, 0, 255};
+    const Image image = read(raw_png(1, 2, 8, 2, {red, blue}));
+    EXPECT_EQ(image.pixels, (Bytes{0, 0, 255, 255, 0, 0}));
+}
+
+TEST(ReadImage, ReadsPng)
+{
+    for (const int channels : {3, 4})
+        expect_flipped(read(png_file(sample_picture(13, 7, channels))), sample_picture(13, 7, channels));
+}
+
+TEST(ReadImage, ReadsTgaPlainAndRunLengthEncoded)
+{
+    for (const int channels : {3, 4})
+        for (const bool run_length_encoded : {false, true}) {
+            Picture picture = sample_picture(300, 5, channels);
+            for (std::size_t i = 400; i < 2000; ++i)
+                picture.pixels[i] = 9; // something for the run lengths
+            expect_flipped(read(tga_file(picture, run_length_encoded, false)), picture);
+        }
+}
+
+TEST(ReadImage, BelievesTheHeaderOfATgaWhichWayIsUp)
+{
+    const Picture picture = sample_picture(9, 4, 3);
+    expect_flipped(read(tga_file(picture, false, true)), picture);
+    expect_flipped(read(tga_file(picture, true, true)), picture);
+}
+
+TEST(ReadImage, ReadsJpegToWithinItsLoss)
+{
+    Picture picture{32, 16, 3, {}};
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x)
+            picture.pixels.insert(picture.pixels.end(), {std::uint8_t(x * 6), std::uint8_t(y * 12), 90});
+    const Image image = read(jpeg_file(picture, 95));
+    ASSERT_EQ(image.channels, 3);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                ASSERT_NEAR(pixel_from_top(image, x, y)[channel], picture.pixels[(y * 32 + x) * 3 + channel],
+                            12);
+}
+
+TEST(ReadImage, DecodesAJpegToTheSamePixelsEverywhere)
+{
+    // The sum that stb_image's portable decoder gives, natively and in wasm; its SSE2 decoder gives another.
+    const Image image = read(jpeg_file(sample_picture(61, 47, 3), 60));
+    std::uint32_t hash = 2166136261; // FNV-1a
+    for (const std::uint8_t byte : image.pixels)
+        hash = (hash ^ byte) * 16777619;
+    EXPECT_EQ(hash, 3122848836U);
+}
+
+TEST(ReadImage, TellsTheFormatFromTheBytesNotTheName)
+{
+    const mesh::Result<Image> image = mesh::read_image("texture.tga", png_file(sample_picture(2, 2, 3)));
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image.value().width, 2);
+}
+
+TEST(ReadImage, ExpandsGreyToThreeChannels)
+{
+    const Image image = read(raw_png(2, 1, 8, 0, {{10, 200}}));
+    EXPECT_EQ(image.channels, 3);
+    EXPECT_EQ(image.pixels, (Bytes{10, 10, 10, 200, 200, 200}));
+}
+
+TEST(ReadImage, ExpandsGreyWithAlphaToFourChannels)
+{
+    const Image image = read(raw_png(2, 1, 8, 4, {{10, 255, 200, 7}}));
+    EXPECT_EQ(image.channels, 4);
+    EXPECT_EQ(image.pixels, (Bytes{10, 10, 10, 255, 200, 200, 200, 7}));
+}
+
+TEST(ReadImage, ExpandsGreyJpegToThreeChannels)
+{
+    Picture grey{8, 8, 1, Bytes(64, 77)};
+    const Image image = read(jpeg_file(grey, 90));
+    EXPECT_EQ(image.channels, 3);
+    EXPECT_NEAR(image.pixels[0], 77, 2);
+}
+
+TEST(ReadImage, ReadsGreyOfFewerThanEightBits)
+{
+    EXPECT_EQ(read(raw_png(3, 1, 1, 0, {{0b01000000}})).pixels, (Bytes{0, 0, 0, 255, 255, 255, 0, 0, 0}));
+    EXPECT_EQ(read(raw_png(2, 1, 4, 0, {{0x0F}})).pixels, (Bytes{0, 0, 0, 255, 255, 255}));
+}
+
+TEST(ReadImage, CutsSixteenBitsToTheUpperEight)
+{
+    EXPECT_EQ(read(raw_png(1, 1, 16, 2, {{0x12, 0x34, 0xAB, 0xFF, 0x00, 0x99}})).pixels,
+              (Bytes{0x12, 0xAB, 0x00}));
+    EXPECT_EQ(read(raw_png(1, 1, 16, 4, {{0x12, 0x34, 0x80, 0x00}})).pixels, (Bytes{0x12, 0x12, 0x12, 0x80}));
+}
+
+TEST(ReadImage, LooksUpAPalette)
+{
+    const Bytes palette = png_chunk("PLTE", {1, 2, 3, 40, 50, 60});
+    EXPECT_EQ(read(raw_png(3, 1, 8, 3, {{1, 0, 1}}, palette)).pixels,
+              (Bytes{40, 50, 60, 1, 2, 3, 40, 50, 60}));
+    EXPECT_EQ(read(raw_png(3, 1, 1, 3, {{0b10100000}}, palette)).pixels,
+              (Bytes{40, 50, 60, 1, 2, 3, 40, 50, 60}));
+}
+
+TEST(ReadImage, ReadsTheTransparencyOfAPalette)
+{
+    Bytes chunks = png_chunk("PLTE", {1, 2, 3, 40, 50, 60});
+    const Bytes transparency = png_chunk("tRNS", {128});
+    chunks.insert(chunks.end(), transparency.begin(), transparency.end());
+    EXPECT_EQ(read(raw_png(2, 1, 8, 3, {{0, 1}}, chunks)).pixels, (Bytes{1, 2, 3, 128, 40, 50, 60, 255}));
+}
+
+TEST(ReadImage, MakesATransparentColourAnAlphaChannel)
+{
+    const Bytes grey = png_chunk("tRNS", {0, 10});
+    EXPECT_EQ(read(raw_png(2, 1, 8, 0, {{10, 11}}, grey)).pixels, (Bytes{10, 10, 10, 0, 11, 11, 11, 255}));
+    const Bytes colour = png_chunk("tRNS", {0, 1, 0, 2, 0, 3});
+    EXPECT_EQ(read(raw_png(2, 1, 8, 2, {{1, 2, 3, 4, 5, 6}}, colour)).pixels,
+              (Bytes{1, 2, 3, 0, 4, 5, 6, 255}));
+}
+
+TEST(ReadImage, ReadsATgaWithAPalette)
+{
+    const Bytes tga = {0, 1, 1, 0, 0, 2, 0, 24, 0, 0, 0, 0, 2, 0, 1, 0, 8, 0, 3, 2, 1, 60, 50, 40, 1, 0};
+    EXPECT_EQ(read(tga).pixels, (Bytes{40, 50, 60, 1, 2, 3}));
+}
+
+TEST(ReadImage, ReadsATgaOfFifteenBitsAndOfGrey)
+{
+    const Bytes white_and_red = {0, 0, 2, 0, 0, 0,  0, 0,    0,    0,    0,
+                                 0, 2, 0, 1, 0, 16, 0, 0xFF, 0x7F, 0x00, 0x7C};
+    EXPECT_EQ(read(white_and_red).pixels, (Bytes{255, 255, 255, 255, 0, 0}));
+    const Bytes grey = {0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 8, 0, 5, 6};
+    EXPECT_EQ(read(grey).pixels, (Bytes{5, 5, 5, 6, 6, 6}));
+}
+
+TEST(ReadImage, ReadsOnePixelOfEachFormat)
+{
+    EXPECT_EQ(read(png_file(sample_picture(1, 1, 3))).pixels.size(), 3U);
+    EXPECT_EQ(read(jpeg_file(sample_picture(1, 1, 3), 90)).pixels.size(), 3U);
+    EXPECT_EQ(read(tga_file(sample_picture(1, 1, 4), true, true)).pixels.size(), 4U);
+}
+
+// What is refused.
+
+TEST(ReadImageRefuses, AnEmptyFile)
+{
+    EXPECT_EQ(refusal({}), "test.png: the file is empty");
+}
+
+TEST(ReadImageRefuses, WhatIsNoImage)
+{
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(refusal(Bytes(text.begin(), text.end())),
+              "test.png: the file is not a PNG, JPEG or TGA image; save it as one of these");
+    EXPECT_TRUE(contains(refusal({0}), "is not a PNG, JPEG or TGA image"));
+    EXPECT_TRUE(
+        contains(refusal({'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0, 0, 0, 0}), "is not a PNG, JPEG or TGA"));
+    EXPECT_TRUE(
+        contains(refusal({'B', 'M', 30, 0, 0, 0, 0, 0, 0, 0, 26, 0, 0, 0}), "is not a PNG, JPEG or TGA"));
+}
+
+TEST(ReadImageRefuses, EveryFormatCutShortAnywhere)
+{
+    const Picture picture = sample_picture(40, 30, 3);
+    for (const Bytes& file : {png_file(picture), jpeg_file(picture, 80), tga_file(picture, false, false),
+                              tga_file(picture, true, true), raw_png(40, 1, 8, 0, {Bytes(40, 3)})})
+        for (std::size_t size = 0; size + 12 < file.size(); ++size) // PNG's last 12 bytes hold nothing
+            ASSERT_NE(refusal(cut_short(file, size)), "was read") << size << " of " << file.size();
+}
+
+TEST(ReadImageRefuses, ACutOrDamagedImageWithAnAdvice)
+{
+    const Bytes png = png_file(sample_picture(40, 30, 3));
+    EXPECT_EQ(refusal(cut_short(png, 200)),
+              "test.png: the image is damaged or cut short ('outofdata'); copy or save it again");
+    const Bytes tga = tga_file(sample_picture(40, 30, 3), true, false);
+    EXPECT_EQ(refusal(cut_short(tga, 200)), "test.png: the image is cut short; copy or save it again");
+    Bytes unknown_chunk = raw_png(1, 1, 8, 0, {{1}}, png_chunk("ZZZZ", {}));
+    EXPECT_TRUE(
+        contains(refusal(unknown_chunk), "the image is damaged or cut short ('ZZZZ PNG chunk not known')"));
+}
+
+TEST(ReadImageRefuses, AnImageTooLargeOnASide)
+{
+    EXPECT_EQ(refusal(raw_png(16385, 1, 8, 0, {Bytes(16385, 0)})),
+              "test.png: the image is too large: at most 16384 pixels a side and 33554432 in all are read; "
+              "scale it down");
+    EXPECT_TRUE(contains(refusal(raw_png(1, 16385, 8, 0, {})), "too large"));
+    EXPECT_EQ(read(raw_png(16384, 1, 8, 0, {Bytes(16384, 0)})).width, 16384);
+}
+
+TEST(ReadImageRefuses, AnImageOfTooManyPixelsBeforeItAsksForMemory)
+{
+    EXPECT_TRUE(contains(refusal(raw_png(16384, 16384, 16, 6, {})), "too large"));
+    Bytes tga = {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x00, 0x40, 0x00, 0x40, 32, 0, 0};
+    EXPECT_TRUE(contains(refusal(tga), "too large"));
+}
+
+TEST(ReadImageRefuses, AHugeSizeThatTheFileCannotHold)
+{
+    const Bytes tga = {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x00, 0x10, 0x00, 0x10, 32, 0, 0xFF, 1, 2, 3, 4};
+    EXPECT_TRUE(contains(refusal(tga), "cut short"));
+    Bytes jpeg = jpeg_file(sample_picture(16, 16, 3), 50);
+    for (std::size_t i = 0; i + 8 < jpeg.size(); ++i)
+        if (jpeg[i] == 0xFF && jpeg[i + 1] == 0xC0) // the frame header: height and width follow
+        {
+            jpeg[i + 5] = jpeg[i + 7] = 0x10;
+            break;
+        }
+    EXPECT_TRUE(contains(refusal(jpeg), "cut short"));
+}
+
+TEST(ReadImageRefuses, AJpegOfThousandsOfScans)
+{
+    Bytes jpeg = jpeg_file(sample_picture(1024, 1024, 3), 90);
+    for (int i = 0; i < 2000; ++i)
+        jpeg.insert(jpeg.end(), {0xFF, 0xDA});
+    EXPECT_TRUE(contains(refusal(jpeg), "has 2001 scans, too many for its size"));
+}
+
+TEST(ReadImageRefuses, APngThatUnpacksWithoutEnd)
+{
+    // One byte of picture, and a deflate stream of stored blocks behind it, larger than any picture.
+    Bytes zlib = {0x78, 0x01};
+    const Bytes block_header = {0x00, 0xFF, 0xFF, 0x00, 0x00};
+    for (int i = 0; i < 1700; ++i) // 111 MB
+    {
+        zlib.insert(zlib.end(), block_header.begin(), block_header.end());
+        zlib.resize(zlib.size() + 65535);
+    }
+    Bytes png = raw_png(1, 1, 8, 0, {}, png_chunk("IDAT", zlib));
+    const std::string message = refusal(png);
+    EXPECT_NE(message, "was read");
+}
+
+TEST(ReadImageRefuses, ATgaStoredFromRightToLeft)
+{
+    Bytes tga = tga_file(sample_picture(4, 4, 3), false, false);
+    tga[17] |= 0x10;
+    EXPECT_TRUE(contains(refusal(tga), "stored from right to left"));
+}
+
+TEST(ReadImageRefuses, AHugeFile)
+{
+    EXPECT_TRUE(
+        contains(refusal(Bytes(mesh::max_image_file_bytes + 1)), "128 MB and at most 128 MB are read"));
+}
+
+TEST(ReadImage, DoesNotShowWhatWasInMemoryWhereADamagedImageLeavesAHole)
+{
+    // A JPEG whose only scan holds one of its three components: the others were never written.
+    Bytes jpeg = jpeg_file(sample_picture(64, 64, 3), 90);
+    for (std::size_t i = 0; i + 4 < jpeg.size(); ++i)
+        if (jpeg[i] == 0xFF && jpeg[i + 1] == 0xDA) {
+            jpeg.resize(i);
+            break;
+        }
+    jpeg.insert(jpeg.end(), {0xFF, 0xDA, 0, 8, 1, 1, 0x00, 0, 63, 0});
+    jpeg.resize(jpeg.size() + 4000, 0x2A);
+    jpeg.insert(jpeg.end(), {0xFF, 0xD9});
+    const mesh::Result<Image> first = mesh::read_image("a", jpeg);
+    const Bytes dirt(1 << 20, 0xCC);
+    const mesh::Result<Image> second = mesh::read_image("a", jpeg);
+    ASSERT_EQ(bool(first), bool(second));
+    if (first) {
+        EXPECT_EQ(first.value().pixels, second.value().pixels);
+    }
+}
+
+} // namespace

@@ -93,9 +93,9 @@ def engine_deck(m):
     def fan():
         f = at(0.62, DECK, -2.86) @ turn('X', -90)
         m.begin(smooth=40)
-        lathe(m, [(0.47, -0.01), (0.46, 0.046), (0.415, 0.046), (0.405, 0.012)], 16, f)
+        lathe(m, [(0.47, -0.01), (0.46, 0.046), (0.415, 0.046), (0.405, 0.012)], 14, f)
         m.begin('dark')
-        disc(m, 0.407, 0.012, 16, f)
+        disc(m, 0.407, 0.012, 14, f)
         m.begin(dens=0.8, smooth=30)
         lathe(m, [(0.12, 0.0), (0.10, 0.040), (0.0, 0.044)], 7, f)
         for k in range(8):
@@ -175,7 +175,7 @@ def front(m):
         m.begin('lamp', smooth=40)
         disc(m, 0.085, 0.085, 8, g)
         m.begin('metal', 0.7)
-        tube(m, [f @ Vector(p) for p in ((-0.15, 0.0, 0.11), (-0.15, 0.20, 0.13), (0.08, 0.20, 0.13), (0.08, 0.0, 0.11))], 0.011, 4, caps=False)
+        tube(m, [f @ Vector(p) for p in ((-0.15, 0.0, 0.11), (-0.15, 0.20, 0.13), (0.08, 0.20, 0.13), (0.08, 0.0, 0.11))], 0.012, 3, caps=False)
         m.begin()
         box(m, (0.09, 0.03, -0.06), (0.15, 0.13, 0.06), 0.012, frame=f)
 
@@ -214,7 +214,7 @@ def front(m):
 
     def grousers():     # snow cleats in a rack on the left of the glacis
         m.begin('track', 0.8, smooth=20)
-        box(m, (-0.055, -0.01, -0.16), (0.055, 0.035, 0.16), 0.012, frame=None)
+        box(m, (-0.055, -0.01, -0.16), (0.055, 0.035, 0.16))
     places = []
     for k in range(5):
         z = 2.30

@@ -19,7 +19,7 @@ def body():
 
     def side():
         m.begin()
-        prism(m, yz((-3.40, 0.98), (-2.26, 0.52), (3.06, 0.50), (3.40, 0.84), (3.40, 1.26), (3.10, 1.44), (-3.40, 1.44)), 1.66, 1.775, SIDE, cap0=False)
+        prism(m, yz((-3.40, 0.98), (-2.26, 0.52), (3.06, 0.50), (3.40, 0.84), (3.40, glacis(3.4) - 0.03), (2.40, 1.44), (-3.40, 1.44)), 1.66, 1.775, SIDE, cap0=False)
         # the track: what hangs out below the skirts, as a thick band
         x0, x1 = TRACK_X - TRACK_W / 2, TRACK_X + TRACK_W / 2
         o = [(-3.12, 1.10), (-3.47, 0.86), (-3.33, 0.42), (-2.45, 0.0), (2.45, 0.0), (3.33, 0.42), (3.47, 0.86), (3.12, 1.10)]
@@ -37,6 +37,7 @@ def body():
         for z in (-IDLER_Z, IDLER_Z):
             m.begin()
             disc(m, END_R, 1.60, 6, at(0, END_Y, z) @ ACROSS)
+            disc(m, END_R, 1.15, 6, at(0, END_Y, z) @ ACROSS, up=False)
     m.both(side)
     return m
 

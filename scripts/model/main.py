@@ -18,7 +18,7 @@ import turret     # noqa: E402
 import wheel      # noqa: E402
 from mesh import unwrap   # noqa: E402
 
-QUALITY = 76
+QUALITY = 75
 
 
 def run(args):

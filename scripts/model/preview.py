@@ -18,27 +18,48 @@ ASSETS = os.path.join(HERE, '..', '..', 'assets')
 ZUP = Matrix.Rotation(math.pi / 2, 4, 'X')        # our Y up into Blender's Z up
 
 
-def material(name, image):
+SUN = Vector((0.45, -0.45, 0.77)).normalized()
+
+
+def material(name, image, lit=True):
+    """The program's own shading: texture times (ambient + diffuse), no shadows; back faces are magenta."""
     mat = bpy.data.materials.new(name)
     mat.use_nodes = True
     nt = mat.node_tree
     nt.nodes.clear()
-    out = nt.nodes.new('ShaderNodeOutputMaterial')
-    bs = nt.nodes.new('ShaderNodeBsdfPrincipled')
-    bs.inputs['Roughness'].default_value = 0.6
-    bs.inputs['Specular'].default_value = 0.25
-    bs.inputs['Base Color'].default_value = (0.18, 0.2, 0.1, 1)
+
+    def node(kind, **inputs):
+        n = nt.nodes.new(kind)
+        for k, v in inputs.items():
+            n.inputs[int(k[1:])].default_value = v
+        return n
+
+    def wire(a, i, b, j):
+        nt.links.new(a.outputs[i], b.inputs[j])
+    geo = node('ShaderNodeNewGeometry')
+    dot = node('ShaderNodeVectorMath', _1=SUN)
+    dot.operation = 'DOT_PRODUCT'
+    wire(geo, 'Normal', dot, 0)
+    amount = node('ShaderNodeMath', _1=0.72)
+    amount.operation, amount.use_clamp = 'MULTIPLY', True
+    wire(dot, 'Value', amount, 0)
+    total = node('ShaderNodeMath', _1=0.48 if lit else 1.0)
+    total.operation = 'ADD'
+    if lit:
+        wire(amount, 0, total, 0)
+    good = node('ShaderNodeEmission', _0=(0.44, 0.48, 0.34, 1))
+    wire(total, 0, good, 1)
     if image:
-        tex = nt.nodes.new('ShaderNodeTexImage')
+        image.colorspace_settings.name = 'Non-Color'
+        tex = node('ShaderNodeTexImage')
         tex.image = image
-        nt.links.new(tex.outputs['Color'], bs.inputs['Base Color'])
-    geo, bad, sw = (nt.nodes.new(n) for n in ('ShaderNodeNewGeometry', 'ShaderNodeEmission', 'ShaderNodeMixShader'))
-    bad.inputs['Color'].default_value = (1, 0, 1, 1)      # a back face seen is magenta
-    nt.links.new(geo.outputs['Backfacing'], sw.inputs[0])
-    nt.links.new(bs.outputs[0], sw.inputs[1])
-    nt.links.new(bad.outputs[0], sw.inputs[2])
-    nt.links.new(sw.outputs[0], out.inputs[0])
-    return mat
+        wire(tex, 'Color', good, 0)
+    bad, sw, out = node('ShaderNodeEmission', _0=(1, 0, 1, 1)), node('ShaderNodeMixShader'), node('ShaderNodeOutputMaterial')
+    wire(geo, 'Backfacing', sw, 0)
+    wire(good, 0, sw, 1)
+    wire(bad, 0, sw, 2)
+    wire(sw, 0, out, 0)
+    return mat, good
 
 
 def load(name, mat):
@@ -110,30 +131,26 @@ def main(args):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.render.engine = 'CYCLES'
-    scene.cycles.samples = 16
+    scene.cycles.samples = 9
     scene.cycles.use_denoising = False
-    scene.cycles.max_bounces = 2
+    scene.cycles.max_bounces = 0
     scene.render.resolution_x, scene.render.resolution_y = (1280, 800) if big else (640, 400)
-    scene.view_settings.view_transform = 'Standard'
+    scene.view_settings.view_transform = 'Raw'
     scene.render.threads_mode, scene.render.threads = 'FIXED', 2
     world = bpy.data.worlds.new('w')
     scene.world = world
     world.use_nodes = True
-    world.node_tree.nodes['Background'].inputs[0].default_value = (0.55, 0.65, 0.8, 1)
-    world.node_tree.nodes['Background'].inputs[1].default_value = 0.75
-    sun = bpy.data.objects.new('sun', bpy.data.lights.new('sun', 'SUN'))
-    sun.data.energy, sun.data.angle = 3.0, 0.02
-    sun.rotation_euler = (math.radians(40), math.radians(12), math.radians(35))
-    scene.collection.objects.link(sun)
+    world.node_tree.nodes['Background'].inputs[0].default_value = (0.62, 0.70, 0.78, 1)
     ground = bpy.data.meshes.new('g')
     ground.from_pydata([(-60, -60, 0), (60, -60, 0), (60, 60, 0), (-60, 60, 0)], [], [[0, 1, 2, 3]])
-    gm = material('ground', None)
-    gm.node_tree.nodes['Principled BSDF'].inputs['Base Color'].default_value = (0.30, 0.27, 0.2, 1)
+    gm, shader = material('ground', None, False)
+    shader.inputs[0].default_value = (0.58, 0.55, 0.47, 1)
+    shader.inputs[1].default_value = 1.0
     ground.materials.append(gm)
     scene.collection.objects.link(bpy.data.objects.new('g', ground))
     path = os.path.join(ASSETS, 'texture.jpg')
-    mat = material('tank', bpy.data.images.load(os.path.abspath(path)) if os.path.exists(path) else None)
-    plain = material('plain', None)
+    mat, _ = material('tank', bpy.data.images.load(os.path.abspath(path)) if os.path.exists(path) else None)
+    plain, _ = material('plain', None)
     names = ('tankbody', 'tankturret', 'tankmaingun', 'tanksecondarygun', 'tankwheel')
     high, low = [load(n, mat) for n in names], [load(n + 'Low', plain) for n in names]
     camera = bpy.data.objects.new('cam', bpy.data.cameras.new('cam'))
@@ -160,7 +177,7 @@ def main(args):
         shots.append(scene.render.filepath)
         for o in made:
             bpy.data.objects.remove(o)
-    cols = 3
+    cols = 2 if big else 4
     cw, ch = scene.render.resolution_x, scene.render.resolution_y
     sheet = Image.new('RGB', (cols * cw, -(-len(shots) // cols) * ch))
     for i, s in enumerate(shots):

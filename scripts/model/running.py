@@ -93,8 +93,10 @@ def track(m):
         ring = [i0] + o + [i1]
         suv = [(0, 0)] + [(f * pitch, h) for f, h in st] + [(pitch, 0)]
         put([(x1, p.y, p.x) for p in ring][::-1], suv[::-1], side1)
-        flank = (i0, at_s(s, LINK), at_s(s + span, LINK), i1)     # towards the hull: no grooves
-        put([(x0, p.y, p.x) for p in flank], [(0, 0), (0, LINK), (pitch, LINK), (pitch, 0)], side0)
+        flank, fuv = ring, suv
+        if hidden or s + pitch < lengths(seg)[0]:      # lying on the ground it needs no grooves towards the hull
+            flank, fuv = (i0, at_s(s, LINK), at_s(s + span, LINK), i1), [(0, 0), (0, LINK), (pitch, LINK), (pitch, 0)]
+        put([(x0, p.y, p.x) for p in flank], fuv, side0)
         if s + pitch < lengths(seg)[0]:
             m.begin('track', 0.8, smooth=25)
             b0, b1, tip = at_s(s + 0.22 * span, 0.004), at_s(s + 0.78 * span, 0.004), at_s(s + 0.5 * span, -0.085)
@@ -118,7 +120,7 @@ def sprocket(m):
             teeth.append((r * math.cos(a + da), r * math.sin(a + da)))
     prism(m, teeth, 1.655, 1.705, f, cap0=False)
     m.begin(smooth=40)
-    lathe(m, [(0.215, 1.68), (0.215, 1.715), (0.20, 1.728), (0.11, 1.728), (0.0, 1.715)], 10, f)
+    lathe(m, [(0.215, 1.68), (0.205, 1.722), (0.11, 1.700), (0.085, 1.728), (0.0, 1.730)], 9, f)
     m.begin('metal', 0.5, smooth=40)
     lathe(m, [(0.0, 1.085), (0.28, 1.09), (0.28, 1.13), (0.20, 1.16), (0.20, 1.66)], 8, f)
     m.begin('paint', 0.5, smooth=40)

@@ -6,6 +6,7 @@ from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
 from frame import CUPOLA, MG_OFFSET, TURRET, WHEEL_Y, WHEEL_Z, TRACK_X
+from running import END_Y, IDLER_Z as END_Z
 from wheel import RIM
 
 MATS = ['paint', 'wheel', 'track', 'rubber', 'metal', 'gunmetal', 'barrel', 'dark', 'glass', 'lamp', 'redlamp', 'canvas',
@@ -14,8 +15,9 @@ COLOUR = {'rubber': (58, 57, 56), 'metal': (84, 86, 82), 'gunmetal': (72, 74, 78
           'glass': (46, 70, 92), 'lamp': (224, 222, 204), 'redlamp': (176, 40, 32), 'canvas': (140, 130, 96),
           'strap': (78, 68, 50), 'crate': (104, 112, 76), 'wood': (158, 122, 78), 'cable': (92, 90, 86),
           'brass': (176, 146, 76), 'track': (112, 106, 98)}
-GREEN, BROWN, BLACK = (112, 124, 84), (136, 106, 78), (74, 74, 70)
-DUST = np.array((164, 146, 116.0))
+GREEN, BROWN, BLACK = (106, 114, 82), (132, 106, 82), (78, 78, 74)
+DUST = np.array((160, 144, 116.0))
+WHITE = np.array((224, 222, 208.0))
 
 
 def noise(p, freq, seed):
@@ -131,6 +133,7 @@ GLYPH = {'0': [(0, 1, 0, 5), (4, 1, 4, 5), (1, 0, 3, 0), (1, 6, 3, 6)],
          '3': [(0, 6, 3, 6), (4, 5, 4, 4), (1.2, 3, 3, 3), (4, 2, 4, 1), (0, 0, 3, 0)],
          '4': [(3, 0, 3, 6), (2.4, 5.6, 0, 2.2), (0, 1.8, 4, 1.8)],
          '7': [(0, 6, 4, 6), (4, 5.2, 1.4, 0)],
+         '6': [(0, 1, 0, 5), (1, 6, 3.4, 6), (1, 3, 3, 3), (4, 2.4, 4, 0.8), (1, 0, 3, 0)],
          '-': [(1, 3, 3, 3)],
          'T': [(0, 6, 4, 6), (2, 5.2, 2, 0)],
          'L': [(0, 0, 0, 6), (0.8, 0, 4, 0)]}
@@ -165,8 +168,8 @@ def paint(layer, meshes, count, mats=MATS):
     a = noise(q, 0.85, 11) + 0.25 * noise(q, 2.1, 12)
     b = noise(q + 17.3, 0.8, 13) + 0.25 * noise(q, 2.3, 14)
     camo = np.broadcast_to(np.array(GREEN, float), p.shape).copy()
-    camo = mix(camo, np.array(BROWN, float), step(0.10, 0.14, a))
-    camo = mix(camo, np.array(BLACK, float), step(0.30, 0.34, b))
+    camo = mix(camo, np.array(BROWN, float), step(0.10, 0.115, a))
+    camo = mix(camo, np.array(BLACK, float), step(0.33, 0.345, b))
     col = camo.copy()
     for name, c in COLOUR.items():
         col[is_(name)] = c
@@ -198,39 +201,81 @@ def paint(layer, meshes, count, mats=MATS):
             col[hub & (d < 0.014)] = (64, 66, 52)
         d = np.hypot(p[:, 1] - 0.02, p[:, 2] - 0.025)
         col[hub & (d < 0.018)] = (170, 60, 44)
-    # track: rubber pads on the outer face, bare steel at the edges
+    # sprocket and idler hubs: a dark groove and a ring of bolts
+    end = (mesh == 0) & is_('paint') & (np.abs(np.abs(p[:, 0]) - 1.62) < 0.112) & (np.abs(np.abs(p[:, 2]) - END_Z) < 0.3) & (p[:, 1] < 1.05)
+    dy, dz = p[:, 1] - END_Y, np.abs(p[:, 2]) - END_Z
+    rr = np.hypot(dy, dz)
+    turned = np.arctan2(dy, dz)
+    bolt = np.hypot(rr - 0.155, (np.mod(turned / (2 * math.pi) * 10, 1) - 0.5) * 0.0974)
+    col[end & (np.abs(rr - 0.195) < 0.009)] = (60, 62, 50)
+    col[end & (bolt < 0.026)] = (64, 66, 52)
+    col[end & (bolt < 0.017)] = (150, 152, 142)
+    # track: rubber pads in the middle of the outer face, worn steel around them
     t = is_('track')
-    side = np.abs(np.abs(p[:, 0]) - TRACK_X)
-    pads = t & (mesh == 0) & (side > 0.035) & (side < 0.235) & (sel['convex'] > 0.012) & (n[:, 1] < -0.5) & (p[:, 1] < 0.03)
-    col[pads] = (66, 64, 62)
+    across = np.abs(np.abs(p[:, 0]) - TRACK_X)
+    out = t & (mesh == 0) & (p[:, 1] < 0.012) & (sel['flat'][:, 1] < -0.9)
+    col[t] = np.array((122, 116, 108.0))
+    col[out & (sel['convex'] < 0.02)] = (150, 146, 138)
+    col[out & (across > 0.03) & (across < 0.235) & (sel['convex'] > 0.02)] = (70, 68, 66)
+    col[out & (np.abs(across - 0.27) < 0.012) & (sel['convex'] > 0.03)] = (84, 80, 74)
     # variation
-    v = 1 + 0.05 * noise(tank, 2.3, 21) + 0.03 * noise(tank, 9.0, 22)
+    v = 1 + 0.05 * noise(tank, 1.9, 21) + 0.03 * noise(tank, 7.0, 22)
     flatpaint = is_('paint') | barrel | w | is_('crate')
     col = col * np.where(is_('lamp') | is_('glass') | is_('redlamp'), 1.0, v)[:, None]
-    # wear on edges, grime in corners
-    chip = noise(tank, 7.0, 31) + 0.5 * noise(tank, 21.0, 32)
-    wear = flatpaint & (sel['convex'] < 0.022)
-    col = mix(col, np.array((150, 150, 140.0)), np.where(wear, 0.30 + 0.35 * step(0.1, 0.7, chip), 0.0))
-    col = col * (1 - 0.22 * np.exp(-sel['concave'] / 0.025))[:, None]
+    soft = is_('canvas')
+    col[soft] *= (1 + 0.14 * noise(tank * np.array((3.0, 1, 1)), 6.0, 23))[soft][:, None]
+    # anti-slip coating on what one walks on
+    walk = is_('paint') & (mesh < 2) & (n[:, 1] > 0.95) & (sel['size'] > 0.25) & (sel['convex'] > 0.05)
+    col[walk] *= 0.93
+    # bolts along the edges of bolted plates
+    plate = is_('paint') & (mesh < 2) & (sel['size'] > 0.09) & (sel['size'] < 1.35)
+    b1 = np.hypot(sel['convex'] - 0.05, (np.mod(sel['along'] / 0.19, 1) - 0.5) * 0.19)
+    col = mix(col, col * 0.62, np.where(plate, 1 - step(0.014, 0.026, b1), 0))
+    col = mix(col, col * 1.55, np.where(plate, 1 - step(0.005, 0.012, b1), 0))
+    # wear on edges, grime in corners, streaks down the sides, soot at the exhausts
+    chip = noise(tank, 6.0, 31) + 0.5 * noise(tank, 19.0, 32)
+    wear = flatpaint & (sel['convex'] < 0.016)
+    col = mix(col, np.array((158, 156, 142.0)), np.where(wear, 0.16 + 0.34 * step(0.15, 0.7, chip), 0.0))
+    col = col * (1 - 0.24 * np.exp(-sel['concave'] / 0.03))[:, None]
+    steep = is_('paint') & (np.abs(n[:, 1]) < 0.75) & (mesh < 2)
+    streak = step(0.2, 0.7, noise(tank * np.array((7.0, 0.7, 7.0)), 1.0, 33))
+    col = mix(col, DUST * 0.8, np.where(steep, 0.20 * streak, 0))
+    soot = np.exp(-(((np.abs(tank[:, 0]) - 0.62) / 0.42) ** 2 + ((tank[:, 1] - 1.42) / 0.20) ** 2)) * (tank[:, 2] < -3.5)
+    col = col * (1 - 0.45 * soot * is_('paint') * (mesh == 0))[:, None]
     # dust: low parts, and what faces up
-    high = np.where((mesh == 0), step(1.15, 0.25, tank[:, 1]), 0.0)
-    dust = np.clip(high * (0.62 + 0.35 * noise(tank, 1.7, 41) + 0.2 * noise(tank, 6.0, 42)), 0, 0.75) * np.where(t, 0.55, 0.8)
-    dust = np.where(w, np.clip(0.22 + 0.2 * noise(p, 6.0, 43), 0, 1), dust)
-    up = np.clip(n[:, 1], 0, 1) * np.clip(0.16 + 0.16 * noise(tank, 1.3, 44), 0, 1)
+    high = np.where((mesh == 0), step(1.25, 0.30, tank[:, 1]), 0.0)
+    dust = np.clip(high * (0.62 + 0.30 * noise(tank, 1.7, 41) + 0.22 * noise(tank, 5.0, 42)), 0, 0.75) * np.where(t, 0.5, 0.85)
+    dust = np.where(w, np.clip(0.20 + 0.2 * noise(p, 6.0, 43), 0, 1), dust)
+    up = np.clip(n[:, 1], 0, 1) * np.clip(0.15 + 0.16 * noise(tank, 1.3, 44), 0, 1)
     dust = np.where(is_('lamp') | is_('redlamp') | is_('glass'), 0.05, np.maximum(dust, np.where(w, 0, up)))
     col = mix(col, DUST, dust)
-    # numbers
-    white = np.array((222, 220, 206.0))
-    tur = (mesh == 1) & is_('paint')
+    # rings on the barrel
+    for z in (4.62, 4.72, 4.82):
+        col = mix(col, WHITE, np.where(barrel & (np.abs(p[:, 2] - z) < 0.018), 0.85, 0))
+    # numbers and signs
+    flake = np.clip(0.90 + 0.35 * noise(tank, 8.0, 51), 0, 1)
+
+    def letter(on, u, v, text, height, colour=WHITE):
+        return mix(col, np.array(colour, float), np.where(on, stencil(u, v, text, height) * flake, 0))
+    tur, body = (mesh == 1) & is_('paint'), (mesh == 0) & is_('paint')
     for sign in (1, -1):
         on = tur & (n[:, 0] * sign > 0.5) & (sel['size'] > 0.05)
         u = -(p[:, 2] - 0.42) if sign > 0 else (p[:, 2] + 0.38)
-        m = stencil(u, p[:, 1] - 0.47, '327', 0.21)
-        col = mix(col, white, np.where(on, m * np.clip(0.88 + 0.3 * noise(tank, 9.0, 51), 0, 1), 0))
+        col = letter(on, u, p[:, 1] - 0.47, '327', 0.21)
+    ahead = body & (n[:, 2] > 0.5) & (p[:, 1] < 1.02)
+    behind = body & (n[:, 2] < -0.5)
+    for on, u, v in ((ahead, p[:, 0], p[:, 1] - 0.93), (behind, -p[:, 0], p[:, 1] - 1.30)):
+        board = on & (np.abs(u) < 0.25) & (np.abs(v) < 0.062)
+        col[board] = (58, 58, 56)
+        col = letter(board, u + 0.213, v - (-0.038), 'TL-327', 0.076)
+    du, dv = p[:, 0] + 0.86, -(p[:, 2] - 3.36)
+    on = body & (n[:, 1] > 0.8)
+    col[on & (np.hypot(du, dv) < 0.115)] = (206, 172, 72)
+    col = letter(on, du + 0.072, dv + 0.05, '60', 0.10, (52, 50, 44))
     ao = occlusion(layer, meshes, count)[ok]
-    shade = 0.42 + 0.58 * np.clip(ao, 0, 1) ** 0.9
+    shade = 0.44 + 0.56 * np.clip(ao * 1.12, 0, 1) ** 0.85
     shade = np.where(is_('lamp') | is_('redlamp'), 1.0, shade)
-    col = np.clip(col * shade[:, None] * 1.06, 0, 255)
+    col = np.clip(col * shade[:, None] * 1.14, 0, 255)
     image = np.zeros(layer['pos'].shape)
     image[ok] = col
     print('texture: average %.0f, %.0f%% of the atlas used, mean AO %.2f' % (col.mean(), 100 * ok.mean(), ao.mean()))

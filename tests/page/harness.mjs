@@ -1,0 +1,202 @@
+// What page tests share: browsers, the server, and pictures.
+//
+// A page test is a file NAME.test.mjs in this folder, run by `node --test` and known to CTest as page/NAME:
+//
+//   import { BROWSERS, withPage, pixels, differentPixels } from "./harness.mjs";
+//   for (const browser of BROWSERS) {
+//     test(`turns the turret in ${browser}`, async () => {
+//       await withPage(browser, { path: "#turret=30" }, async ({ page, problems }) => {
+//         ...
+//         assert.deepEqual(problems, []);
+//       });
+//     });
+//   }
+//
+// The environment variables CHROME and FIREFOX name other browsers; TANKLAB_SITE another site than build/web.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
+import { fileURLToPath } from "node:url";
+import { PNG } from "pngjs";
+import puppeteer from "puppeteer-core";
+import { serve } from "../../scripts/serve.mjs";
+
+/** The browsers that tests run in, and what draws there:
+    chromium          SwiftShader, Chromium's own software renderer
+    chromium-mesa     Mesa's llvmpipe, which native tests draw with too
+    firefox           Mesa's llvmpipe, in a window on a display of its own */
+export const BROWSERS = ["chromium", "chromium-mesa", "firefox"];
+
+export const SITE = process.env.TANKLAB_SITE ?? fileURLToPath(new URL("../../build/web", import.meta.url));
+
+const VIEWPORT = { width: 800, height: 600, deviceScaleFactor: 1 };
+const LAUNCH_TIMEOUT = 60_000; // on two busy cores Firefox has taken 20 s
+
+const CHROMIUM_FLAGS = [
+  "--no-sandbox",
+  "--disable-dev-shm-usage",
+  "--ignore-gpu-blocklist",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--force-color-profile=srgb",
+  "--hide-scrollbars",
+];
+const CHROMIUM_RENDERER = {
+  chromium: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  "chromium-mesa": ["--use-angle=gl-egl"],
+};
+const FIREFOX_PREFERENCES = {
+  "webgl.force-enabled": true,
+  "app.update.enabled": false,
+  "browser.shell.checkDefaultBrowser": false,
+  "datareporting.policy.dataSubmissionEnabled": false,
+  "gfx.color_management.mode": 0,
+  "network.captive-portal-service.enabled": false,
+  "network.connectivity-service.enabled": false,
+};
+
+function executable(fromEnvironment, names) {
+  for (const name of [fromEnvironment, ...names].filter(Boolean)) {
+    const found = spawnSync("sh", ["-c", 'command -v "$1"', "sh", name], { encoding: "utf8" }).stdout.trim();
+    if (found) return found;
+  }
+  throw new Error(`none of these browsers is there: ${names.join(", ")}; scripts/setup test installs one`);
+}
+
+/** Starts an X display that nobody sees. Gives { name, stop() }. */
+async function startDisplay() {
+  const server = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"], {
+    stdio: ["ignore", "ignore", "ignore", "pipe"],
+  });
+  const [number] = await Promise.race([
+    once(server.stdio[3], "data"),
+    once(server, "exit").then(() => Promise.reject(new Error("Xvfb, the display for Firefox, does not start"))),
+  ]);
+  return { name: `:${String(number).trim()}`, stop: () => server.kill() };
+}
+
+/** Launches one of BROWSERS, with more Chromium flags if wanted. Gives puppeteer's browser; close it. */
+export async function launch(name, { flags = [] } = {}) {
+  if (name !== "firefox") {
+    assert.ok(name in CHROMIUM_RENDERER, `no browser is called ${name}`);
+    return puppeteer.launch({
+      executablePath: executable(process.env.CHROME, ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]),
+      headless: true,
+      args: [...CHROMIUM_FLAGS, ...CHROMIUM_RENDERER[name], ...flags],
+      defaultViewport: VIEWPORT,
+      timeout: LAUNCH_TIMEOUT,
+    });
+  }
+  const display = await startDisplay();
+  // Firefox wants a home of its own: as root it refuses one that belongs to somebody else.
+  const home = fs.mkdtempSync(path.join(os.tmpdir(), "tanklab-firefox-"));
+  const cleanUp = () => {
+    display.stop();
+    fs.rmSync(home, { recursive: true, force: true, maxRetries: 5 });
+  };
+  try {
+    const browser = await puppeteer.launch({
+      browser: "firefox",
+      executablePath: executable(process.env.FIREFOX, ["firefox", "firefox-esr"]),
+      headless: false,
+      extraPrefsFirefox: FIREFOX_PREFERENCES,
+      defaultViewport: VIEWPORT,
+      timeout: LAUNCH_TIMEOUT,
+      env: { ...process.env, DISPLAY: display.name, HOME: home, MOZ_CRASHREPORTER_DISABLE: "1" },
+    });
+    browser.process().once("exit", cleanUp);
+    return browser;
+  } catch (error) {
+    cleanUp();
+    throw error;
+  }
+}
+
+/** Opens a page in a new browser, hands it to an async function, and closes everything whatever happens.
+    path: what follows the site's address, such as "#turret=30"; url: another address instead;
+    folder: another folder to serve; viewport: its size and device-pixel ratio.
+    before: called with the page before it loads anything, to listen or to break something.
+    The function gets { page, browser, url, problems }; problems gathers, as text, what the page's console calls
+    an error, exceptions nobody caught, and requests that failed. */
+export async function withPage(name, { path: rest = "", url, folder = SITE, viewport, before, flags } = {}, use) {
+  const server = url ? null : await serve(folder);
+  const browser = await launch(name, { flags });
+  try {
+    const page = await browser.newPage();
+    if (viewport) await page.setViewport({ ...VIEWPORT, ...viewport });
+    const problems = [];
+    page.on("console", (message) => {
+      const where = message.location()?.url;
+      if (message.type() === "error") problems.push(`console: ${message.text()}${where ? ` (${where})` : ""}`);
+    });
+    page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
+    page.on("requestfailed", (request) => {
+      // Chromium calls a fetch aborted whose stream was read to its end before the connection said so.
+      const reason = request.failure()?.errorText;
+      if (!/ABORTED/.test(reason)) problems.push(`request: ${request.url()} ${reason}`);
+    });
+    const address = url ?? server.url + rest;
+    if (before) await before(page, address);
+    await page.goto(address);
+    return await use({ page, browser, url: address, problems });
+  } finally {
+    await browser.close();
+    await server?.close();
+  }
+}
+
+/** Takes a picture of the page or of one element. Gives { width, height, data }: rows top first, RGBA. */
+export async function pixels(page, selector) {
+  const target = selector ? await page.waitForSelector(selector) : page;
+  return PNG.sync.read(Buffer.from(await target.screenshot({ type: "png" })));
+}
+
+/** Reads a PNG file, as pixels() gives it. */
+export const readPicture = (file) => PNG.sync.read(fs.readFileSync(file));
+
+/** Writes a picture to build/test/pictures/NAME.png, where people look when a test failed. Returns the path. */
+export function keepPicture(name, picture) {
+  const file = fileURLToPath(new URL(`../../build/test/pictures/${name}.png`, import.meta.url));
+  fs.mkdirSync(path.dirname(file), { recursive: true });
+  const png = new PNG({ width: picture.width, height: picture.height });
+  Buffer.from(picture.data).copy(png.data);
+  fs.writeFileSync(file, PNG.sync.write(png));
+  return file;
+}
+
+/** Counts the pixels in which any of red, green and blue differs by more than `tolerance` of 255.
+    Pictures of different sizes have no pixel in common: that is an error. */
+export function differentPixels(one, other, tolerance = 0) {
+  assert.deepEqual([one.width, one.height], [other.width, other.height], "the pictures are of different sizes");
+  let count = 0;
+  for (let i = 0; i < one.data.length; i += 4) {
+    const off = [0, 1, 2].some((channel) => Math.abs(one.data[i + channel] - other.data[i + channel]) > tolerance);
+    if (off) ++count;
+  }
+  return count;
+}
+
+/** Returns the colour [red, green, blue] of a pixel; y counts from the top. */
+export function pixelAt(picture, x, y) {
+  return [...picture.data.subarray((y * picture.width + x) * 4, (y * picture.width + x) * 4 + 3)];
+}
+
+/** Returns what WebGL says draws in this browser, and prints it: pictures depend on it. */
+export async function printRenderer(page, name) {
+  const renderer = await page.evaluate(() => {
+    const gl = document.createElement("canvas").getContext("webgl2");
+    if (!gl) return "no WebGL 2";
+    const extension = gl.getExtension("WEBGL_debug_renderer_info");
+    const text = gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+    return text;
+  });
+  console.log(`${name} ${(await page.browser().version()).replace(/^.*\//, "")}: ${renderer}`);
+  return renderer;
+}

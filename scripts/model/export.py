@@ -1,11 +1,8 @@
-"""Normals, the OBJ writer, and the checks made on what was written."""
-import gzip
+"""Normals, and the OBJ writer and reader."""
 import math
-import os
 
 from mathutils import Vector
 
-from frame import HALF_LENGTH, HALF_WIDTH, WHEEL_R
 from mesh import key
 
 
@@ -75,65 +72,3 @@ def read_obj(path):
         elif w and w[0] == 'f':
             data['f'].append([tuple(int(x) if x else 0 for x in c.split('/')) for c in w[1:]])
     return data
-
-
-WHEELS = 14
-BOUNDS = {     # (low corner, high corner, slack): what the program relies on
-    'tankbody': ((-HALF_WIDTH, 0.0, -HALF_LENGTH), (HALF_WIDTH, None, HALF_LENGTH), 0.03),
-    'tankwheel': ((-0.25, -WHEEL_R, -WHEEL_R), (0.25, WHEEL_R, WHEEL_R), 0.013),
-    'tankmaingun': ((None, None, None), (None, None, 6.3), 0.02),
-}
-
-
-def check(folder, texture):
-    """Returns the report's lines and the list of what is wrong."""
-    report, bad, total = [], [], {'': 0, 'Low': 0}
-    weight = len(gzip.compress(open(texture, 'rb').read(), 9, mtime=0)) if texture else 0
-    report.append('%-24s %6s triangles %7d bytes gzipped' % (os.path.basename(texture or 'no texture'), '', weight))
-    for low in ('', 'Low'):
-        for base in ('tankbody', 'tankturret', 'tankmaingun', 'tanksecondarygun', 'tankwheel'):
-            path = os.path.join(folder, base + low + '.obj')
-            d = read_obj(path)
-            z = len(gzip.compress(open(path, 'rb').read(), 9, mtime=0))
-            weight += z
-            total[low] += len(d['f']) * (WHEELS if base == 'tankwheel' else 1)
-            lo = [min(p[i] for p in d['v']) for i in range(3)]
-            hi = [max(p[i] for p in d['v']) for i in range(3)]
-            report.append('%-24s %6d triangles %7d bytes gzipped  x %.2f..%.2f y %.2f..%.2f z %.2f..%.2f'
-                          % (base + low, len(d['f']), z, lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]))
-            for n in d['vn']:
-                if abs(math.sqrt(sum(c * c for c in n)) - 1) > 0.002:
-                    bad.append('%s%s: normal %s is not of unit length' % (base, low, n))
-            if not all(math.isfinite(c) for t in ('v', 'vt', 'vn') for p in d[t] for c in p):
-                bad.append('%s%s: a number is not finite' % (base, low))
-            if bool(low) == bool(d['vt']):
-                bad.append('%s%s: texture coordinates' % (base, low))
-            seen = set()
-            for f in d['f']:
-                p = [Vector(d['v'][c[0] - 1]) for c in f]
-                g = (p[1] - p[0]).cross(p[2] - p[0])
-                if g.length < 2e-6:
-                    bad.append('%s%s: degenerate %s' % (base, low, [tuple(q) for q in p]))
-                    continue
-                n = sum((Vector(d['vn'][c[2] - 1]) for c in f), Vector((0, 0, 0)))
-                if g.dot(n) <= 0:
-                    bad.append('%s%s: winding against normals at %s' % (base, low, tuple(p[0])))
-                k = frozenset(c[0] for c in f)
-                if k in seen:
-                    bad.append('%s%s: doubled face at %s' % (base, low, tuple(p[0])))
-                seen.add(k)
-            limit = BOUNDS.get(base)
-            if limit:
-                slack = limit[2] * (4 if low else 1)
-                for i in range(3):
-                    for want, have in ((limit[0][i], lo[i]), (limit[1][i], hi[i])):
-                        if want is not None and abs(want - have) > slack:
-                            bad.append('%s%s: bound %d is %.3f, wants %.3f' % (base, low, i, have, want))
-    report.append('assembled: %d triangles, low %d; all gzipped %d bytes' % (total[''], total['Low'], weight))
-    if not 6000 <= total[''] <= 12000:
-        bad.append('high set has %d triangles' % total[''])
-    if total['Low'] > 700:
-        bad.append('low set has %d triangles' % total['Low'])
-    if weight > 250 * 1024:
-        bad.append('%d bytes gzipped are too many' % weight)
-    return report, bad

@@ -22,13 +22,13 @@ def glacis(z):
 
 
 def plates(m):
-    m.begin()
+    m.begin(smooth=25)
     upper = yz((-3.70, 1.16), (-3.64, 1.57), (-3.60, 1.60), (1.85, 1.60), (3.60, glacis(3.60)), (3.62, 1.10),
                (3.58, 1.06), (2.95, 1.16))
     edge = yz((-3.70, 1.16), (-3.645, 1.50), (-3.60, 1.53), (1.835, 1.53), (3.55, glacis(3.55) - 0.05), (3.57, 1.075),
               (3.56, 1.06), (2.95, 1.16))
     stack(m, [(edge, -1.69), (upper, -1.62), (upper, 1.62), (edge, 1.69)], SIDE)
-    m.begin(dens=0.8)
+    m.begin(dens=0.8, smooth=25)
     tub = yz((-3.52, 0.70), (-3.30, 0.48), (2.98, 0.48), (3.64, 0.88), (3.74, 1.00), (3.75, 1.04), (3.70, 1.085),
              (3.40, 1.10), (-3.60, 1.20))
     prism(m, tub, -1.03, 1.03, SIDE, (0.03, 0.03))
@@ -42,7 +42,7 @@ def skirts(m):
         heavy = i < 2
         low, top = 0.50, 1.425
         if i == 0:
-            shape = yz((z0, low), (z1 - 0.34, low), (z1, low + 0.34), (z1, glacis(z1) - 0.045), (2.46, top), (z0, top))
+            shape = yz((z0, low), (z1 - 0.34, low), (z1, low + 0.34), (z1, glacis(z1) - 0.045), (2.41, glacis(2.41) - 0.045), (2.37, top), (z0, top))
         elif i == 5:
             shape = yz((z0, 0.98), (z0 + 0.24, 0.86), (z1 - 0.30, 0.72), (z1, low + 0.04), (z1, top), (z0, top))
         else:
@@ -50,7 +50,7 @@ def skirts(m):
         m.begin(smooth=20)
         prism(m, shape, 1.732, 1.78 if heavy else 1.762, SIDE, (0, 0.016))
         if heavy:      # lifting eyes
-            box(m, (1.735, top - 0.08, z0 + 0.08), (1.775, top + 0.03, z0 + 0.14), 0.01)
+            box(m, (1.745, top - 0.08, z0 + 0.04), (1.768, top + 0.03, z0 + 0.10), 0.008)
     # the shelf that carries them closes the view down to the tracks
     m.begin()
     prism(m, yz((-3.62, 1.40), (-3.62, 1.447), (2.34, 1.447), (3.50, glacis(3.50) - 0.022), (3.50, glacis(3.50) - 0.05), (2.34, 1.40)),

@@ -8,6 +8,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
 import atlas      # noqa: E402
+import checks      # noqa: E402
 import exposure   # noqa: E402
 import export     # noqa: E402
 import guns       # noqa: E402
@@ -46,7 +47,7 @@ def run(args):
         layer = atlas.rasterise(high, every, texture.MATS)
         print('rasterised after %.0f s' % (time.time() - began))
         texture.save(texture.paint(layer, high, rays), picture, QUALITY)
-    report, bad = export.check(folder, picture if os.path.exists(picture) else None)
+    report, bad = checks.check(folder, picture if os.path.exists(picture) else None)
     print('\n'.join(report))
     for line in bad[:30]:
         print('WRONG: ' + line)

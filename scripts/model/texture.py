@@ -5,6 +5,7 @@ import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
+from hull import glacis
 from frame import CUPOLA, MG_OFFSET, TURRET, WHEEL_Y, WHEEL_Z, TRACK_X
 from running import END_Y, IDLER_Z as END_Z
 from wheel import RIM
@@ -165,8 +166,8 @@ def paint(layer, meshes, count, mats=MATS):
     # camouflage
     warp = np.stack([noise(tank, 1.1, 3), noise(tank, 1.1, 4), noise(tank, 1.1, 5)], -1) * 0.35
     q = (tank + warp) * np.array((0.8, 0.9, 0.62))
-    a = noise(q, 0.85, 11) + 0.25 * noise(q, 2.1, 12)
-    b = noise(q + 17.3, 0.8, 13) + 0.25 * noise(q, 2.3, 14)
+    a = noise(q, 0.95, 11) + 0.25 * noise(q, 2.1, 12)
+    b = noise(q + 17.3, 0.92, 13) + 0.25 * noise(q, 2.3, 14)
     camo = np.broadcast_to(np.array(GREEN, float), p.shape).copy()
     camo = mix(camo, np.array(BROWN, float), step(0.10, 0.115, a))
     camo = mix(camo, np.array(BLACK, float), step(0.33, 0.345, b))
@@ -218,6 +219,13 @@ def paint(layer, meshes, count, mats=MATS):
     col[out & (sel['convex'] < 0.02)] = (150, 146, 138)
     col[out & (across > 0.03) & (across < 0.235) & (sel['convex'] > 0.02)] = (70, 68, 66)
     col[out & (np.abs(across - 0.27) < 0.012) & (sel['convex'] > 0.03)] = (84, 80, 74)
+    # the skirts' lower lip is rubber; the headlamps have a rim and a ribbed lens
+    lip = (mesh == 0) & is_('paint') & (np.abs(p[:, 0]) > 1.725) & (np.abs(sel['flat'][:, 0]) > 0.9) & (p[:, 1] < 0.60)
+    col[lip] = (70, 70, 66)
+    lens = np.hypot(np.abs(p[:, 0]) - 1.24, p[:, 1] - glacis(3.30) - 0.115)
+    front = is_('lamp') & (p[:, 2] > 0)
+    col[front] = np.array((214, 214, 204.0)) * (0.82 + 0.18 * np.cos(p[front][:, :1] * 2 * math.pi / 0.034))
+    col[front & (lens > 0.066)] = (96, 98, 92)
     # variation
     v = 1 + 0.05 * noise(tank, 1.9, 21) + 0.03 * noise(tank, 7.0, 22)
     flatpaint = is_('paint') | barrel | w | is_('crate')
@@ -228,9 +236,10 @@ def paint(layer, meshes, count, mats=MATS):
     walk = is_('paint') & (mesh < 2) & (n[:, 1] > 0.95) & (sel['size'] > 0.25) & (sel['convex'] > 0.05)
     col[walk] *= 0.93
     # bolts along the edges of bolted plates
-    plate = is_('paint') & (mesh < 2) & (sel['size'] > 0.09) & (sel['size'] < 1.35)
+    facing = (np.abs(sel['flat'][:, 0]) > 0.98) | (sel['flat'][:, 1] > 0.98)
+    plate = is_('paint') & (mesh < 2) & facing & (sel['size'] > 0.09) & (sel['size'] < 1.35)
     b1 = np.hypot(sel['convex'] - 0.05, (np.mod(sel['along'] / 0.19, 1) - 0.5) * 0.19)
-    col = mix(col, col * 0.62, np.where(plate, 1 - step(0.014, 0.026, b1), 0))
+    col = mix(col, col * 0.62, np.where(plate, 1 - step(0.012, 0.024, b1), 0))
     col = mix(col, col * 1.55, np.where(plate, 1 - step(0.005, 0.012, b1), 0))
     # wear on edges, grime in corners, streaks down the sides, soot at the exhausts
     chip = noise(tank, 6.0, 31) + 0.5 * noise(tank, 19.0, 32)

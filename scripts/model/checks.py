@@ -1,0 +1,144 @@
+"""What must hold of the files as written: counts, bounds, winding, flicker, silhouettes, weight."""
+import gzip
+import math
+import os
+
+import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+
+from export import read_obj
+from frame import CUPOLA, HALF_LENGTH, HALF_WIDTH, MG_OFFSET, TRACK_X, TURRET, WHEEL_R, WHEEL_Y, WHEEL_Z
+
+NAMES = ('tankbody', 'tankturret', 'tankmaingun', 'tanksecondarygun', 'tankwheel')
+LIMIT_BYTES = 250000
+WHEELS = 14
+BOUNDS = {     # (low corner, high corner, slack): what the program relies on
+    'tankbody': ((-HALF_WIDTH, 0.0, -HALF_LENGTH), (HALF_WIDTH, None, HALF_LENGTH), 0.03),
+    'tankwheel': ((-0.25, -WHEEL_R, -WHEEL_R), (0.25, WHEEL_R, WHEEL_R), 0.013),
+    'tankmaingun': ((None, None, None), (None, None, 6.3), 0.02),
+}
+
+
+GAP = 0.004     # parallel faces that look the same way keep at least this distance
+
+
+def flicker(d):
+    points = [Vector(p) for p in d['v']]
+    faces = [[c[0] - 1 for c in f] for f in d['f']]
+    tree = BVHTree.FromPolygons(points, faces, all_triangles=True)
+    out = []
+    for i, f in enumerate(faces):
+        p = [points[k] for k in f]
+        n = (p[1] - p[0]).cross(p[2] - p[0])
+        if n.length < 1e-4:
+            continue
+        n.normalize()
+        for w in ((0.34, 0.33, 0.33), (0.7, 0.15, 0.15), (0.15, 0.7, 0.15), (0.15, 0.15, 0.7)):
+            q = p[0] * w[0] + p[1] * w[1] + p[2] * w[2]
+            start, far = q - n * 0.0008, GAP
+            for _ in range(4):
+                hit, hn, k, dist = tree.ray_cast(start, n, far)
+                if hit is None:
+                    break
+                if k != i and hn.dot(n) > 0.985:
+                    out.append('faces %.1f mm apart at (%.3f, %.3f, %.3f)' % ((hit - q).length * 1000, q.x, q.y, q.z))
+                    break
+                start, far = hit + n * 0.00002, far - dist - 0.00002
+                if far <= 0:
+                    break
+    return sorted(set(out))
+
+
+VIEWS = {'side': (2, 1), 'front': (0, 1), 'top': (0, 2)}
+
+
+def silhouette(every, low, ix, iy):
+    """The assembled tank's shadow along an axis, in cells of 2 cm."""
+    cell, half = 0.02, 8.0
+    n = int(2 * half / cell)
+    out = np.zeros((n, n), bool)
+    t = np.array(TURRET)
+    places = {'tankbody': [np.zeros(3)], 'tankturret': [t], 'tankmaingun': [t],
+              'tanksecondarygun': [t + np.array(CUPOLA) + np.array(MG_OFFSET)],
+              'tankwheel': [np.array((s * TRACK_X, WHEEL_Y, z)) for s in (1, -1) for z in WHEEL_Z]}
+    for base in NAMES:
+        d = every[base + low]
+        v = np.array(d['v'])
+        for off in places[base]:
+            g = ((v + off)[:, [ix, iy]] + half) / cell
+            for f in d['f']:
+                a, b, c = (g[k[0] - 1] for k in f)
+                det = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+                if abs(det) < 1e-9:
+                    continue
+                lo = np.floor(np.minimum(np.minimum(a, b), c)).astype(int)
+                hi = np.ceil(np.maximum(np.maximum(a, b), c)).astype(int)
+                x, y = np.meshgrid(np.arange(lo[0], hi[0]) + 0.5, np.arange(lo[1], hi[1]) + 0.5)
+                u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / det
+                w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / det
+                out[lo[1]:hi[1], lo[0]:hi[0]] |= (u >= 0) & (w >= 0) & (u + w <= 1)
+    return out
+
+
+def check(folder, texture):
+    """Returns the report's lines and the list of what is wrong."""
+    report, bad, total = [], [], {'': 0, 'Low': 0}
+    weight = len(gzip.compress(open(texture, 'rb').read(), 9, mtime=0)) if texture else 0
+    report.append('%-24s %6s triangles %7d bytes gzipped' % (os.path.basename(texture or 'no texture'), '', weight))
+    every = {}
+    for low in ('', 'Low'):
+        for base in NAMES:
+            path = os.path.join(folder, base + low + '.obj')
+            d = every[base + low] = read_obj(path)
+            z = len(gzip.compress(open(path, 'rb').read(), 9, mtime=0))
+            weight += z
+            total[low] += len(d['f']) * (WHEELS if base == 'tankwheel' else 1)
+            lo = [min(p[i] for p in d['v']) for i in range(3)]
+            hi = [max(p[i] for p in d['v']) for i in range(3)]
+            report.append('%-24s %6d triangles %7d bytes gzipped  x %.2f..%.2f y %.2f..%.2f z %.2f..%.2f'
+                          % (base + low, len(d['f']), z, lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]))
+            for n in d['vn']:
+                if abs(math.sqrt(sum(c * c for c in n)) - 1) > 0.002:
+                    bad.append('%s%s: normal %s is not of unit length' % (base, low, n))
+            if not all(math.isfinite(c) for t in ('v', 'vt', 'vn') for p in d[t] for c in p):
+                bad.append('%s%s: a number is not finite' % (base, low))
+            if bool(low) == bool(d['vt']):
+                bad.append('%s%s: texture coordinates' % (base, low))
+            seen = set()
+            for f in d['f']:
+                p = [Vector(d['v'][c[0] - 1]) for c in f]
+                g = (p[1] - p[0]).cross(p[2] - p[0])
+                if g.length < 2e-6:
+                    bad.append('%s%s: degenerate %s' % (base, low, [tuple(q) for q in p]))
+                    continue
+                n = sum((Vector(d['vn'][c[2] - 1]) for c in f), Vector((0, 0, 0)))
+                if g.dot(n) <= 0:
+                    bad.append('%s%s: winding against normals at %s' % (base, low, tuple(p[0])))
+                k = frozenset(c[0] for c in f)
+                if k in seen:
+                    bad.append('%s%s: doubled face at %s' % (base, low, tuple(p[0])))
+                seen.add(k)
+            limit = BOUNDS.get(base)
+            if limit:
+                slack = limit[2] * (4 if low else 1)
+                for i in range(3):
+                    for want, have in ((limit[0][i], lo[i]), (limit[1][i], hi[i])):
+                        if want is not None and abs(want - have) > slack:
+                            bad.append('%s%s: bound %d is %.3f, wants %.3f' % (base, low, i, have, want))
+    report.append('assembled: %d triangles, low %d; all gzipped %d bytes' % (total[''], total['Low'], weight))
+    if not 6000 <= total[''] <= 12000:
+        bad.append('high set has %d triangles' % total[''])
+    if total['Low'] > 700:
+        bad.append('low set has %d triangles' % total['Low'])
+    for base in NAMES:
+        bad += ['%s: %s' % (base, line) for line in flicker(every[base])]
+    for view, (x, y) in VIEWS.items():
+        a, b = silhouette(every, '', x, y), silhouette(every, 'Low', x, y)
+        ratio, common = b.sum() / a.sum(), (a & b).sum() / (a | b).sum()
+        report.append('silhouette from the %-6s low/high area %.3f, overlap %.3f' % (view + ':', ratio, common))
+        if not 0.95 < ratio < 1.05 or common < 0.92:
+            bad.append('the low silhouette from the %s differs' % view)
+    if weight > LIMIT_BYTES:
+        bad.append('%d bytes gzipped are too many' % weight)
+    return report, bad

@@ -96,6 +96,25 @@ std::string read_wanted_files(const fs::path& folder, std::vector<FileContent>& 
     return "";
 }
 
+/// Returns the folder `assets` that comes with the program, or "".
+std::string find_own_folder()
+{
+    std::error_code fault;
+    const fs::path executable = fs::read_symlink("/proc/self/exe", fault);
+    if (fault) {
+        return "";
+    }
+    for (fs::path folder = executable.parent_path();; folder = folder.parent_path()) {
+        const fs::path candidate = folder / "assets";
+        if (fs::is_directory(candidate / "tankobjs", fault)) {
+            return candidate.string();
+        }
+        if (folder == folder.root_path() || folder.empty()) {
+            return "";
+        }
+    }
+}
+
 } // namespace
 
 std::string read_asset_folder(const std::string& folder, app::Assets& assets)
@@ -124,22 +143,13 @@ std::string read_asset_folder(const std::string& folder, app::Assets& assets)
     return "";
 }
 
-std::string find_asset_folder()
+std::string read_asset_folder_or_own(const std::string& folder, app::Assets& assets)
 {
-    std::error_code fault;
-    const fs::path executable = fs::read_symlink("/proc/self/exe", fault);
-    if (fault) {
-        return "";
+    const std::string used = folder.empty() ? find_own_folder() : folder;
+    if (used.empty()) {
+        return "There is no folder 'assets' with the tank's files near the program: name it with --assets.";
     }
-    for (fs::path folder = executable.parent_path();; folder = folder.parent_path()) {
-        const fs::path candidate = folder / "assets";
-        if (fs::is_directory(candidate / "tankobjs", fault)) {
-            return candidate.string();
-        }
-        if (folder == folder.root_path() || folder.empty()) {
-            return "";
-        }
-    }
+    return read_asset_folder(used, assets);
 }
 
 } // namespace platform

@@ -11,8 +11,8 @@ namespace platform {
 /// Returns "" or what is wrong, with file and line where there is one; `assets` is untouched then.
 std::string read_asset_folder(const std::string& folder, app::Assets& assets);
 
-/// Returns the folder of the files that come with the program: `assets` beside the executable or in one of
-/// the folders above it. Returns "" when there is none.
-std::string find_asset_folder();
+/// Does the same with the files that come with the program when `folder` is "": those of a folder `assets`
+/// beside the executable or in one of the folders above it.
+std::string read_asset_folder_or_own(const std::string& folder, app::Assets& assets);
 
 } // namespace platform

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/keys.h"
 #include "app/state.h"
 
 #include <bitset>

@@ -1,20 +1,25 @@
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
 pkg_check_modules(OPENGL REQUIRED IMPORTED_TARGET gl glu)
+find_package(SDL2 REQUIRED)
 
-# tanklab-render and tanklab-render-reference: one source, two libraries that define the same gl* symbols.
-# The emulated one links no OpenGL of the system, so that a function legacygl lacks is a link error.
-add_library(platform_files STATIC asset_files.cpp png_file.cpp render_options.cpp)
+add_library(platform_files STATIC asset_files.cpp link_argument.cpp png_file.cpp)
 target_link_libraries(platform_files PUBLIC app)
 target_include_directories(platform_files SYSTEM PRIVATE ${STB_INCLUDE_DIR})
 
+# tanklab-render and tanklab-render-reference: one source, two libraries that define the same gl* symbols.
+# The emulated one links no OpenGL of the system, so that a function legacygl lacks is a link error.
 function(add_render_program name target_source gl_library)
-  add_executable(${name} render_main.cpp egl_context.cpp ${target_source})
+  add_executable(${name} render_main.cpp render_options.cpp egl_context.cpp ${target_source})
   target_link_libraries(${name} PRIVATE platform_files scene ${gl_library} PkgConfig::EGL)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 endfunction()
-
 add_render_program(tanklab-render-reference offscreen_target_reference.cpp PkgConfig::OPENGL)
-if(TARGET legacygl)
-  add_render_program(tanklab-render offscreen_target_emulated.cpp legacygl)
-endif()
+add_render_program(tanklab-render offscreen_target_emulated.cpp legacygl)
+
+add_library(platform_program STATIC input.cpp program.cpp)
+target_link_libraries(platform_program PUBLIC app scene SDL2::SDL2)
+
+add_executable(tanklab window_main.cpp window_options.cpp)
+target_link_libraries(tanklab PRIVATE platform_program platform_files scene legacygl)
+set_target_properties(tanklab PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -8,6 +8,7 @@
 #include "app/links.h"
 #include "app/state.h"
 #include "platform/asset_files.h"
+#include "platform/link_argument.h"
 #include "platform/offscreen_target.h"
 #include "platform/png_file.h"
 #include "platform/render_options.h"
@@ -63,16 +64,6 @@ std::string draw_picture(const RenderOptions& options, const app::State& state, 
     return write_png(options.out, options.width, options.height, rgba);
 }
 
-std::string read_assets_of(const RenderOptions& options, app::Assets& assets)
-{
-    const std::string folder = options.assets.empty() ? find_asset_folder() : options.assets;
-    if (folder.empty()) {
-        return "The folder 'assets' with the tank's files is not found near the program: name it with "
-               "--assets.";
-    }
-    return read_asset_folder(folder, assets);
-}
-
 int run(int argument_count, char** arguments)
 {
     RenderOptions options;
@@ -90,7 +81,7 @@ int run(int argument_count, char** arguments)
     }
 
     app::Assets assets;
-    if (std::string error = read_assets_of(options, assets); !error.empty()) {
+    if (std::string error = read_asset_folder_or_own(options.assets, assets); !error.empty()) {
         return fail(error);
     }
     app::State state;

@@ -124,13 +124,4 @@ const char* render_usage()
            "  --assets DIR          the folder of the tank's OBJ files and texture\n";
 }
 
-std::string fragment_of(const std::string& link)
-{
-    const std::size_t hash = link.find('#');
-    if (hash != std::string::npos) {
-        return link.substr(hash + 1);
-    }
-    return link.find("://") == std::string::npos ? link : "";
-}
-
 } // namespace platform

@@ -34,7 +34,4 @@ std::string read_render_options(std::span<const char* const> arguments, RenderOp
 /// Returns the help text of `tanklab-render`.
 const char* render_usage();
 
-/// Returns the part of a link behind its '#'; of text without '#' the whole, of an address without '#' "".
-std::string fragment_of(const std::string& link);
-
 } // namespace platform

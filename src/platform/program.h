@@ -1,0 +1,64 @@
+#pragma once
+
+#include "app/assets.h"
+#include "app/state.h"
+#include "platform/fixed_step_clock.h"
+#include "platform/input.h"
+#include "scene/scene_renderer.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <SDL.h>
+
+namespace platform {
+
+/// The running program, whatever it runs in: the state, what turns events into commands, what draws it.
+/// It has no clock and no window of its own; the desktop window and the page bring those.
+class Program
+{
+public:
+    Program();
+
+    /// Takes the tank's data and makes what drawing needs. A context must be current. Call it once.
+    /// Returns "" or a sentence that says what OpenGL refused.
+    std::string start(app::Assets assets);
+
+    /// Opens a fragment and returns the messages about it, one sentence each.
+    std::vector<std::string> open_link(std::string_view fragment);
+
+    /// Does a command of the table. Returns "" or a sentence that says why nothing was done.
+    std::string command(std::string_view name, double value);
+
+    /// Takes one event of the window.
+    void handle(const SDL_Event& event);
+
+    /// Advances the state by the ticks that `seconds` bring.
+    void advance(double seconds);
+
+    /// Draws the state if the last picture shows another one, or another size. width, height: pixels.
+    /// Returns whether it drew. Precondition: start() returned "".
+    bool draw_if_changed(int width, int height);
+
+    /// Makes the next draw_if_changed draw in any case: the window's content is gone.
+    void redraw() { drawn_ = false; }
+
+    const app::State& state() const { return state_; }
+    const app::Assets& assets() const { return assets_; }
+    const scene::SceneRenderer& renderer() const { return renderer_; }
+
+private:
+    app::Assets assets_;
+    app::State state_;
+    Input input_;
+    FixedStepClock clock_;
+    scene::SceneRenderer renderer_;
+    bool drawn_ = false;
+    std::uint64_t drawn_revision_ = 0;
+    int drawn_width_ = 0;
+    int drawn_height_ = 0;
+};
+
+} // namespace platform

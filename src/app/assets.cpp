@@ -51,8 +51,8 @@ mesh::ReadError given_twice(std::string_view name, std::span<const AssetFile* co
 {
     return {.file = std::string(name),
             .line = 0,
-            .cause = "is there more than once, as " + quoted(files[0]->name) + " and as " +
-                     quoted(files[1]->name)};
+            .cause = "is there more than once, as " + in_quotes(files[0]->name) + " and as " +
+                     in_quotes(files[1]->name)};
 }
 
 mesh::ReadError all_missing(std::span<const std::string> missing)

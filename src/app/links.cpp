@@ -105,7 +105,7 @@ std::vector<Item> read_items(std::string_view fragment, Messages& messages)
         fragment.remove_prefix(std::min(end + 1, fragment.size()));
         const std::optional<std::string> decoded = percent_decoded(text);
         if (!decoded) {
-            messages.add(quoted(text) + " has a % without two hexadecimal digits and is ignored.");
+            messages.add(in_quotes(text) + " has a % without two hexadecimal digits and is ignored.");
             continue;
         }
         const std::string_view item = *decoded;
@@ -149,10 +149,10 @@ std::string_view reason(DecimalError error)
 std::optional<std::int64_t> read_value(const Field& field, const Item& item, Messages& messages)
 {
     if (item.value.empty()) {
-        messages.add(quoted(item.key) + " has no value and is ignored.");
+        messages.add(in_quotes(item.key) + " has no value and is ignored.");
         return std::nullopt;
     }
-    const std::string shown = item.key + "=" + quoted(item.value);
+    const std::string shown = item.key + "=" + in_quotes(item.value);
     if (!field.choices.empty()) {
         const auto found = std::find(field.choices.begin(), field.choices.end(), lower_case(item.value));
         if (found == field.choices.end()) {
@@ -208,7 +208,7 @@ void use_item(const Item& item, State& state, Messages& messages)
             }
         }
     } else {
-        messages.add(quoted(item.key) + " is not something a link can set and is ignored.");
+        messages.add(in_quotes(item.key) + " is not something a link can set and is ignored.");
     }
 }
 
@@ -223,7 +223,7 @@ std::optional<std::size_t> read_task(std::span<const Item> items, Messages& mess
         }
         const std::optional<std::size_t> found = find_task(*kind, lower_case(item.value));
         if (!found) {
-            messages.add("There is no " + item.key + " " + quoted(item.value) + "; it is ignored.");
+            messages.add("There is no " + item.key + " " + in_quotes(item.value) + "; it is ignored.");
             continue;
         }
         if (task && tasks()[*task].kind != *kind) {
@@ -239,7 +239,7 @@ void report_duplicates(std::span<const Item> items, Messages& messages)
     for (std::size_t i = 0; i < items.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (items[j].key == items[i].key) {
-                messages.add(quoted(items[i].key) + " is given more than once; the last value is used.");
+                messages.add(in_quotes(items[i].key) + " is given more than once; the last value is used.");
                 break;
             }
         }

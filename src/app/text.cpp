@@ -2,7 +2,7 @@
 
 namespace app {
 
-std::string quoted(std::string_view text)
+std::string in_quotes(std::string_view text)
 {
     constexpr std::size_t LONGEST = 40;
     std::string_view shown = text;

@@ -8,7 +8,7 @@ namespace app {
 
 /// Returns the text in quotation marks for a message: at most 40 bytes of it, cut between characters, then
 /// "...".
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// Returns "a", "a and b", "a, b and c"; "" for none.
 std::string listed(std::span<const std::string_view> items, std::string_view conjunction = "and");

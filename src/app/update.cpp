@@ -95,7 +95,7 @@ std::string apply(State& state, std::string_view name, double value)
 {
     const Command* command = find_command(name);
     if (command == nullptr) {
-        return "There is no command " + quoted(name) + ".";
+        return "There is no command " + in_quotes(name) + ".";
     }
     return apply(state, *command, value);
 }

@@ -44,7 +44,7 @@ function(tanklab_web_page target)
     VERBATIM)
   add_custom_target(page ALL DEPENDS "${CMAKE_BINARY_DIR}/page.stamp")
 
-  # The same program with the names of its imports left whole, which -O3 and -Oz shorten: a test reads
+  # The same program with the names of its imports left whole, as -sASSERTIONS leaves them: a test reads
   # them. A GL name there is one that legacygl forgot and Emscripten's own quietly took.
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
@@ -57,6 +57,6 @@ function(tanklab_web_page target)
   target_include_directories(tanklab_named_imports PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
   target_compile_definitions(tanklab_named_imports PRIVATE $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
   tanklab_link_for_web(tanklab_named_imports)
-  target_link_options(tanklab_named_imports PRIVATE $<TARGET_PROPERTY:${target},LINK_OPTIONS> -O2)
+  target_link_options(tanklab_named_imports PRIVATE $<TARGET_PROPERTY:${target},LINK_OPTIONS> -sASSERTIONS)
   set_target_properties(tanklab_named_imports PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/wasm")
 endfunction()

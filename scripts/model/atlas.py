@@ -5,7 +5,7 @@ import numpy as np
 
 SIZE = 1024
 PAD = 2
-TEXEL = ('mesh', 'mat', 'chart')      # integer layers of the map
+TEXEL = ('mesh', 'mat', 'chart')  # integer layers of the map
 
 
 def sizes(charts, scale):
@@ -94,6 +94,7 @@ def pack(meshes):
 def edges_of(faces):
     """For each face, its sharp edges: [(a, b, convex)]."""
     from mesh import key
+
     table = {}
     for f in faces:
         k = [key(q) for q in f.p]
@@ -119,9 +120,15 @@ def edges_of(faces):
 def rasterise(meshes, normals, mats):
     """Layers over the atlas: position (in the mesh's frame), normal, face normal, ids, distances to
     the nearest convex and concave edge, and the way along that edge."""
-    layer = {'pos': np.zeros((SIZE, SIZE, 3)), 'nrm': np.zeros((SIZE, SIZE, 3)), 'flat': np.zeros((SIZE, SIZE, 3)),
-             'convex': np.full((SIZE, SIZE), 9.0), 'concave': np.full((SIZE, SIZE), 9.0), 'along': np.zeros((SIZE, SIZE)),
-             'size': np.zeros((SIZE, SIZE))}
+    layer = {
+        'pos': np.zeros((SIZE, SIZE, 3)),
+        'nrm': np.zeros((SIZE, SIZE, 3)),
+        'flat': np.zeros((SIZE, SIZE, 3)),
+        'convex': np.full((SIZE, SIZE), 9.0),
+        'concave': np.full((SIZE, SIZE), 9.0),
+        'along': np.zeros((SIZE, SIZE)),
+        'size': np.zeros((SIZE, SIZE)),
+    }
     for name in TEXEL:
         layer[name] = np.full((SIZE, SIZE), -1, dtype=np.int32)
     for mi, m in enumerate(meshes):
@@ -164,7 +171,7 @@ def rasterise(meshes, normals, mats):
                     ea, eb = np.array(ea), np.array(eb)
                     d = eb - ea
                     length = np.linalg.norm(d)
-                    t = np.clip((q - ea) @ d / length ** 2, 0, 1)
+                    t = np.clip((q - ea) @ d / length**2, 0, 1)
                     dist = np.linalg.norm(q - ea - t[:, None] * d, axis=1)
                     closer = dist < best[convex]
                     best[convex] = np.where(closer, dist, best[convex])

@@ -13,14 +13,14 @@ from frame import CUPOLA, HALF_LENGTH, HALF_WIDTH, MG_OFFSET, TRACK_X, TURRET, W
 NAMES = ('tankbody', 'tankturret', 'tankmaingun', 'tanksecondarygun', 'tankwheel')
 LIMIT_BYTES = 250000
 WHEELS = 14
-BOUNDS = {     # (low corner, high corner, slack): what the program relies on
+BOUNDS = {  # (low corner, high corner, slack): what the program relies on
     'tankbody': ((-HALF_WIDTH, 0.0, -HALF_LENGTH), (HALF_WIDTH, None, HALF_LENGTH), 0.03),
     'tankwheel': ((-0.25, -WHEEL_R, -WHEEL_R), (0.25, WHEEL_R, WHEEL_R), 0.013),
     'tankmaingun': ((None, None, None), (None, None, 6.3), 0.02),
 }
 
 
-GAP = 0.004     # parallel faces that look the same way keep at least this distance
+GAP = 0.004  # parallel faces that look the same way keep at least this distance
 
 
 def flicker(d):
@@ -59,9 +59,13 @@ def silhouette(every, low, ix, iy):
     n = int(2 * half / cell)
     out = np.zeros((n, n), bool)
     t = np.array(TURRET)
-    places = {'tankbody': [np.zeros(3)], 'tankturret': [t], 'tankmaingun': [t],
-              'tanksecondarygun': [t + np.array(CUPOLA) + np.array(MG_OFFSET)],
-              'tankwheel': [np.array((s * TRACK_X, WHEEL_Y, z)) for s in (1, -1) for z in WHEEL_Z]}
+    places = {
+        'tankbody': [np.zeros(3)],
+        'tankturret': [t],
+        'tankmaingun': [t],
+        'tanksecondarygun': [t + np.array(CUPOLA) + np.array(MG_OFFSET)],
+        'tankwheel': [np.array((s * TRACK_X, WHEEL_Y, z)) for s in (1, -1) for z in WHEEL_Z],
+    }
     for base in NAMES:
         d = every[base + low]
         v = np.array(d['v'])
@@ -77,7 +81,7 @@ def silhouette(every, low, ix, iy):
                 x, y = np.meshgrid(np.arange(lo[0], hi[0]) + 0.5, np.arange(lo[1], hi[1]) + 0.5)
                 u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / det
                 w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / det
-                out[lo[1]:hi[1], lo[0]:hi[0]] |= (u >= 0) & (w >= 0) & (u + w <= 1)
+                out[lo[1] : hi[1], lo[0] : hi[0]] |= (u >= 0) & (w >= 0) & (u + w <= 1)
     return out
 
 
@@ -96,8 +100,10 @@ def check(folder, texture):
             total[low] += len(d['f']) * (WHEELS if base == 'tankwheel' else 1)
             lo = [min(p[i] for p in d['v']) for i in range(3)]
             hi = [max(p[i] for p in d['v']) for i in range(3)]
-            report.append('%-24s %6d triangles %7d bytes gzipped  x %.2f..%.2f y %.2f..%.2f z %.2f..%.2f'
-                          % (base + low, len(d['f']), z, lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]))
+            report.append(
+                '%-24s %6d triangles %7d bytes gzipped  x %.2f..%.2f y %.2f..%.2f z %.2f..%.2f'
+                % (base + low, len(d['f']), z, lo[0], hi[0], lo[1], hi[1], lo[2], hi[2])
+            )
             for n in d['vn']:
                 if abs(math.sqrt(sum(c * c for c in n)) - 1) > 0.002:
                     bad.append('%s%s: normal %s is not of unit length' % (base, low, n))

@@ -40,6 +40,7 @@ def write_obj(mesh, normals, path, size=None):
 
     def index(table, text):
         return table.setdefault(text, len(table) + 1)
+
     for f in mesh.faces:
         corners = []
         for i, q in enumerate(f.p):

@@ -1,11 +1,7 @@
 """The main gun in turret coordinates, and the machine gun in its own shifted frame."""
-import math
-
-from mathutils import Vector
-
 from frame import TRUNNION
-from mesh import FRONT, SIDE, Mesh, at, turn
-from shapes import box, cut_corners, disc, drum, lathe, ngon, prism, rect, stack, tube
+from mesh import SIDE, Mesh, at, turn
+from shapes import box, disc, drum, lathe, prism, rect, stack, tube
 
 UP = turn('X', -90)
 
@@ -18,12 +14,22 @@ def main_gun():
     m = Mesh('tankmaingun')
     x, y, z = TRUNNION
     f = at(0, y, 0)
-    m.begin(smooth=40)      # the drum that keeps the slot closed at every elevation
+    m.begin(smooth=40)  # the drum that keeps the slot closed at every elevation
     drum(m, 0.31, -0.405, 0.405, 18, at(x, y, z) @ turn('Y', 90), 0.0)
-    m.begin(smooth=25)      # the mantlet's armoured nose
-    stack(m, [(octagon(0.335, 0.235, 0.07), 1.36), (octagon(0.335, 0.235, 0.07), 1.60), (octagon(0.30, 0.205, 0.07), 1.66),
-              (octagon(0.215, 0.175, 0.09), 1.86), (octagon(0.19, 0.155, 0.085), 1.885)], f, cap0=False)
-    m.begin('metal', smooth=20)        # coaxial machine gun, telescope
+    m.begin(smooth=25)  # the mantlet's armoured nose
+    stack(
+        m,
+        [
+            (octagon(0.335, 0.235, 0.07), 1.36),
+            (octagon(0.335, 0.235, 0.07), 1.60),
+            (octagon(0.30, 0.205, 0.07), 1.66),
+            (octagon(0.215, 0.175, 0.09), 1.86),
+            (octagon(0.19, 0.155, 0.085), 1.885),
+        ],
+        f,
+        cap0=False,
+    )
+    m.begin('metal', smooth=20)  # coaxial machine gun, telescope
     drum(m, 0.032, 1.60, 1.80, 6, at(0.235, y + 0.10, 0), 0.0, cap0=False, cap1=False)
     m.begin('dark')
     disc(m, 0.032, 1.80, 6, at(0.235, y + 0.10, 0))
@@ -32,14 +38,47 @@ def main_gun():
     # sleeve, evacuator, sleeve, muzzle
     m.begin('barrel', 1.2, smooth=40)
     b = at(0, y, 0)
-    lathe(m, [(0.150, 1.87), (0.150, 1.97), (0.122, 2.02), (0.106, 2.12), (0.104, 2.74), (0.113, 2.76), (0.113, 2.81),
-              (0.103, 2.83), (0.102, 3.50), (0.146, 3.60), (0.150, 4.18), (0.100, 4.32)], 12, b)
+    lathe(
+        m,
+        [
+            (0.150, 1.87),
+            (0.150, 1.97),
+            (0.122, 2.02),
+            (0.106, 2.12),
+            (0.104, 2.74),
+            (0.113, 2.76),
+            (0.113, 2.81),
+            (0.103, 2.83),
+            (0.102, 3.50),
+            (0.146, 3.60),
+            (0.150, 4.18),
+            (0.100, 4.32),
+        ],
+        12,
+        b,
+    )
     m.begin('barrel', 1.2, smooth=40)
-    lathe(m, [(0.100, 4.32), (0.098, 5.0), (0.107, 5.02), (0.107, 5.07), (0.097, 5.09), (0.094, 6.06), (0.102, 6.09), (0.102, 6.285),
-              (0.094, 6.30), (0.064, 6.30), (0.060, 6.02)], 12, b)
+    lathe(
+        m,
+        [
+            (0.100, 4.32),
+            (0.098, 5.0),
+            (0.107, 5.02),
+            (0.107, 5.07),
+            (0.097, 5.09),
+            (0.094, 6.06),
+            (0.102, 6.09),
+            (0.102, 6.285),
+            (0.094, 6.30),
+            (0.064, 6.30),
+            (0.060, 6.02),
+        ],
+        12,
+        b,
+    )
     m.begin('dark')
     disc(m, 0.0605, 6.02, 12, b)
-    m.begin('barrel', smooth=20)       # muzzle reference mirror
+    m.begin('barrel', smooth=20)  # muzzle reference mirror
     box(m, (-0.035, 0.0, 6.15), (0.035, 0.055, 6.24), 0.012, frame=at(0, y + 0.092, 0))
     return m
 
@@ -51,10 +90,30 @@ def machine_gun():
     m.begin('metal', 0.8, smooth=40)
     lathe(m, [(0.338, -0.037), (0.334, 0.012), (0.282, 0.012), (0.278, -0.037)], 14, ring)
     m.begin('metal')
-    prism(m, [(-0.018, -0.085), (0.016, -0.085), (0.10, -0.035), (0.125, -0.035), (0.125, 0.045), (0.10, 0.045), (0.016, 0.062), (-0.018, 0.062)],
-          -0.045, 0.045, SIDE)
-    for s in (1, -1):       # cradle cheeks
-        prism(m, [(0.10, -0.07), (0.185, -0.10), (0.235, -0.04), (0.235, 0.05), (0.10, 0.05)], s * 0.058 - 0.008, s * 0.058 + 0.008, SIDE)
+    prism(
+        m,
+        [
+            (-0.018, 0.008),
+            (0.016, 0.008),
+            (0.10, -0.035),
+            (0.125, -0.035),
+            (0.125, 0.045),
+            (0.10, 0.045),
+            (0.016, 0.064),
+            (-0.018, 0.064),
+        ],
+        -0.045,
+        0.045,
+        SIDE,
+    )
+    for s in (1, -1):  # cradle cheeks
+        prism(
+            m,
+            [(0.10, -0.07), (0.185, -0.10), (0.235, -0.04), (0.235, 0.05), (0.10, 0.05)],
+            s * 0.058 - 0.008,
+            s * 0.058 + 0.008,
+            SIDE,
+        )
     drum(m, 0.022, -0.078, 0.078, 6, at(0, 0.205, 0.0) @ turn('Y', 90))
     y = 0.225
     m.begin('gunmetal', smooth=25)
@@ -64,20 +123,59 @@ def machine_gun():
     box(m, (-0.012, y + 0.05, -0.315), (0.012, y + 0.10, -0.285), 0.005)
     m.begin('gunmetal', 1.2, smooth=40)
     g = at(0, y, 0)
-    lathe(m, [(0.040, 0.06), (0.040, 0.12), (0.034, 0.34), (0.020, 0.36), (0.018, 0.92), (0.028, 0.94), (0.030, 1.04), (0.014, 1.04), (0.012, 0.98)],
-          7, g)
+    lathe(
+        m,
+        [
+            (0.040, 0.06),
+            (0.040, 0.12),
+            (0.034, 0.34),
+            (0.020, 0.36),
+            (0.018, 0.92),
+            (0.028, 0.94),
+            (0.030, 1.04),
+            (0.014, 1.04),
+            (0.012, 0.98),
+        ],
+        7,
+        g,
+    )
     m.begin('dark')
     disc(m, 0.0122, 0.98, 7, g)
     m.begin('gunmetal')
     box(m, (-0.007, y + 0.03, 0.28), (0.007, y + 0.085, 0.31), 0.003)
-    for s in (1, -1):       # spade grips
-        tube(m, [(s * 0.022, y + 0.03, -0.355), (s * 0.075, y + 0.045, -0.42), (s * 0.075, y - 0.045, -0.43), (s * 0.022, y - 0.045, -0.355)], 0.013, 4, caps=False)
+    for s in (1, -1):  # spade grips
+        tube(
+            m,
+            [
+                (s * 0.022, y + 0.03, -0.355),
+                (s * 0.075, y + 0.045, -0.42),
+                (s * 0.075, y - 0.045, -0.43),
+                (s * 0.022, y - 0.045, -0.355),
+            ],
+            0.013,
+            4,
+            caps=False,
+        )
     # ammunition box on the left with its feed
     m.begin('crate', smooth=20)
-    box(m, (0.085, y - 0.17, -0.16), (0.20, y + 0.02, 0.10), 0.008, cut=0.01, bottom=True)
+    box(m, (0.085, y - 0.17, -0.16), (0.20, y + 0.02, 0.10), 0.008, cut=0.01, bottom=True, top=False)
     box(m, (0.080, y + 0.016, -0.165), (0.205, y + 0.034, 0.105), 0.008)
     m.begin('metal')
-    prism(m, [(y - 0.13, -0.05), (y - 0.10, -0.05), (y - 0.10, 0.02), (y - 0.13, 0.02)], 0.04, 0.09, SIDE, cap0=False, cap1=False)
+    prism(
+        m,
+        [(y - 0.13, -0.05), (y - 0.10, -0.05), (y - 0.10, 0.02), (y - 0.13, 0.02)],
+        0.04,
+        0.09,
+        SIDE,
+        cap0=False,
+        cap1=False,
+    )
     m.begin('brass')
-    tube(m, [(0.13, y + 0.03, -0.03), (0.115, y + 0.075, -0.03), (0.07, y + 0.078, -0.03), (0.035, y + 0.045, -0.03)], 0.021, 4, caps=False)
+    tube(
+        m,
+        [(0.13, y + 0.03, -0.03), (0.115, y + 0.075, -0.03), (0.07, y + 0.078, -0.03), (0.035, y + 0.045, -0.03)],
+        0.021,
+        4,
+        caps=False,
+    )
     return m

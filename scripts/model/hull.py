@@ -6,10 +6,10 @@ from mathutils import Vector
 from frame import DECK
 import running
 from mesh import FRONT, SIDE, TOP, Mesh, at, turn
-from shapes import box, cut_corners, disc, drum, lathe, ngon, prism, rect, slab, stack, tube
+from shapes import box, disc, drum, lathe, prism, rect, slab, stack, tube
 
-UP = turn('X', -90)           # a lathe's axis turned up: local z is world Y
-GLACIS = (1.1156 - 1.60) / (3.62 - 1.85)      # rise of the upper front plate per metre of z
+UP = turn('X', -90)  # a lathe's axis turned up: local z is world Y
+GLACIS = (1.1156 - 1.60) / (3.62 - 1.85)  # rise of the upper front plate per metre of z
 
 
 def yz(*points):
@@ -23,14 +23,39 @@ def glacis(z):
 
 def plates(m):
     m.begin(smooth=25)
-    upper = yz((-3.70, 1.16), (-3.64, 1.57), (-3.60, 1.60), (1.85, 1.60), (3.60, glacis(3.60)), (3.62, 1.10),
-               (3.58, 1.06), (2.95, 1.16))
-    edge = yz((-3.70, 1.16), (-3.645, 1.50), (-3.60, 1.53), (1.835, 1.53), (3.55, glacis(3.55) - 0.05), (3.57, 1.075),
-              (3.56, 1.06), (2.95, 1.16))
+    upper = yz(
+        (-3.70, 1.16),
+        (-3.64, 1.57),
+        (-3.60, 1.60),
+        (1.85, 1.60),
+        (3.60, glacis(3.60)),
+        (3.62, 1.10),
+        (3.58, 1.06),
+        (2.95, 1.16),
+    )
+    edge = yz(
+        (-3.70, 1.16),
+        (-3.645, 1.50),
+        (-3.60, 1.53),
+        (1.835, 1.53),
+        (3.55, glacis(3.55) - 0.05),
+        (3.57, 1.075),
+        (3.56, 1.06),
+        (2.95, 1.16),
+    )
     stack(m, [(edge, -1.69), (upper, -1.62), (upper, 1.62), (edge, 1.69)], SIDE)
     m.begin(dens=0.8, smooth=25)
-    tub = yz((-3.52, 0.70), (-3.30, 0.48), (2.98, 0.48), (3.64, 0.88), (3.74, 1.00), (3.75, 1.04), (3.70, 1.085),
-             (3.40, 1.10), (-3.60, 1.20))
+    tub = yz(
+        (-3.52, 0.70),
+        (-3.30, 0.48),
+        (2.98, 0.48),
+        (3.64, 0.88),
+        (3.74, 1.00),
+        (3.75, 1.04),
+        (3.70, 1.085),
+        (3.40, 1.10),
+        (-3.60, 1.20),
+    )
     prism(m, tub, -1.03, 1.03, SIDE, (0.03, 0.03))
 
 
@@ -42,23 +67,49 @@ def skirts(m):
         heavy = i < 2
         low, top = 0.50, 1.425
         if i == 0:
-            shape = yz((z0, low), (z1 - 0.34, low), (z1, low + 0.34), (z1, glacis(z1) - 0.045), (2.41, glacis(2.41) - 0.045), (2.37, top), (z0, top))
+            shape = yz(
+                (z0, low),
+                (z1 - 0.34, low),
+                (z1, low + 0.34),
+                (z1, glacis(z1) - 0.045),
+                (2.41, glacis(2.41) - 0.045),
+                (2.37, top),
+                (z0, top),
+            )
         elif i == 5:
             shape = yz((z0, 0.98), (z0 + 0.24, 0.86), (z1 - 0.30, 0.72), (z1, low + 0.04), (z1, top), (z0, top))
         else:
             shape = yz((z0, low + 0.04), (z0 + 0.04, low), (z1 - 0.04, low), (z1, low + 0.04), (z1, top), (z0, top))
         m.begin(smooth=20)
         prism(m, shape, 1.732, 1.78 if heavy else 1.762, SIDE, (0, 0.016))
-        if heavy:      # lifting eyes
+        if heavy:  # lifting eyes
             box(m, (1.745, top - 0.08, z0 + 0.04), (1.768, top + 0.03, z0 + 0.10), 0.008)
     # the shelf that carries them closes the view down to the tracks
     m.begin()
-    prism(m, yz((-3.62, 1.40), (-3.62, 1.447), (2.34, 1.447), (3.50, glacis(3.50) - 0.022), (3.50, glacis(3.50) - 0.05), (2.34, 1.40)),
-          1.64, 1.752, SIDE, cap0=False)
+    prism(
+        m,
+        yz(
+            (-3.62, 1.40),
+            (-3.62, 1.447),
+            (2.34, 1.447),
+            (3.50, glacis(3.50) - 0.022),
+            (3.50, glacis(3.50) - 0.05),
+            (2.34, 1.40),
+        ),
+        1.64,
+        1.752,
+        SIDE,
+        cap0=False,
+    )
     # mud guards
     m.begin('rubber')
-    prism(m, yz((3.50, 1.09), (3.61, 1.085), (3.70, 0.98), (3.72, 0.84), (3.705, 0.84), (3.68, 0.97), (3.59, 1.05)),
-          1.06, 1.70, SIDE)
+    prism(
+        m,
+        yz((3.50, 1.09), (3.61, 1.085), (3.70, 0.98), (3.72, 0.84), (3.705, 0.84), (3.68, 0.97), (3.59, 1.05)),
+        1.06,
+        1.70,
+        SIDE,
+    )
     prism(m, yz((-3.62, 1.18), (-3.685, 1.18), (-3.70, 0.80), (-3.68, 0.80)), 1.06, 1.70, SIDE)
 
 
@@ -80,10 +131,20 @@ def grille(m, x0, x1, z0, z1, bars, across=True):
         a = lo + step * (i + 0.12)
         b = a + step * 0.62
         if across:
-            top = [(x0 - 0.004, y + 0.018, a), (x0 - 0.004, y + 0.036, b), (x1 + 0.004, y + 0.036, b), (x1 + 0.004, y + 0.018, a)]
+            top = [
+                (x0 - 0.004, y + 0.018, a),
+                (x0 - 0.004, y + 0.036, b),
+                (x1 + 0.004, y + 0.036, b),
+                (x1 + 0.004, y + 0.018, a),
+            ]
             face = [top[1], (x0 - 0.004, y + 0.002, b), (x1 + 0.004, y + 0.002, b), top[2]]
         else:
-            top = [(a, y + 0.018, z1 + 0.004), (b, y + 0.036, z1 + 0.004), (b, y + 0.036, z0 - 0.004), (a, y + 0.018, z0 - 0.004)]
+            top = [
+                (a, y + 0.018, z1 + 0.004),
+                (b, y + 0.036, z1 + 0.004),
+                (b, y + 0.036, z0 - 0.004),
+                (a, y + 0.018, z0 - 0.004),
+            ]
             face = [top[1], (b, y + 0.002, z1 + 0.004), (b, y + 0.002, z0 - 0.004), top[2]]
         m.poly(top)
         m.poly(face)
@@ -101,9 +162,17 @@ def engine_deck(m):
         for k in range(8):
             a = math.radians(45 * k + 9)
             c, s = math.cos(a), math.sin(a)
-            p = [f @ Vector((r * c - w * s, r * s + w * c, h)) for r, w, h in
-                 ((0.11, 0.012, 0.034), (0.11, -0.012, 0.034), (0.407, -0.016, 0.040), (0.407, 0.016, 0.040))]
+            p = [
+                f @ Vector((r * c - w * s, r * s + w * c, h))
+                for r, w, h in (
+                    (0.11, 0.012, 0.034),
+                    (0.11, -0.012, 0.034),
+                    (0.407, -0.016, 0.040),
+                    (0.407, 0.016, 0.040),
+                )
+            ]
             m.poly(p)
+
     m.both(fan)
     m.both(lambda: grille(m, 0.36, 1.40, -2.26, -1.86, 6))
     grille(m, -0.20, 0.20, -2.26, -1.86, 4)
@@ -115,11 +184,13 @@ def engine_deck(m):
         m.begin(smooth=20)
         slab(m, [(1.18, DECK, -3.46), (1.18, DECK, -2.42), (1.46, DECK, -2.42), (1.46, DECK, -3.46)], 0.016, 0.01)
         slab(m, [(0.30, DECK, -1.70), (0.30, DECK, -1.20), (1.30, DECK, -1.20), (1.30, DECK, -1.70)], 0.014, 0.01)
+
     m.both(side, share=False)
 
-    def cap():      # filler cap
+    def cap():  # filler cap
         m.begin(dens=0.8)
         drum(m, 0.10, -0.01, 0.045, 8, at(1.30, DECK, -0.92) @ turn('X', -90), 0.015, cap0=False)
+
     m.both(cap)
 
 
@@ -147,16 +218,42 @@ def rear(m):
         prism(m, rect(-0.362, 0.128, 0.362, 0.158), -0.05, 0.06, f, (0, 0.006), cap0=False)
         prism(m, rect(-0.362, -0.158, 0.362, -0.128), -0.05, 0.06, f, (0, 0.006), cap0=False)
         m.begin('dark')
-        m.poly([f @ Vector(p) for p in ((-0.34, -0.14, 0.012), (0.34, -0.14, 0.012), (0.34, 0.14, 0.012), (-0.34, 0.14, 0.012))])
+        m.poly(
+            [
+                f @ Vector(p)
+                for p in ((-0.34, -0.14, 0.012), (0.34, -0.14, 0.012), (0.34, 0.14, 0.012), (-0.34, 0.14, 0.012))
+            ]
+        )
         m.begin('metal', 0.7, smooth=20)
         for k in range(4):
             y = -0.10 + 0.062 * k
-            m.poly([f @ Vector(p) for p in ((-0.335, y - 0.022, 0.05), (0.335, y - 0.022, 0.05), (0.335, y + 0.022, 0.026), (-0.335, y + 0.022, 0.026))])
-            m.poly([f @ Vector(p) for p in ((-0.335, y - 0.022, 0.012), (0.335, y - 0.022, 0.012), (0.335, y - 0.022, 0.05), (-0.335, y - 0.022, 0.05))])
+            m.poly(
+                [
+                    f @ Vector(p)
+                    for p in (
+                        (-0.335, y - 0.022, 0.05),
+                        (0.335, y - 0.022, 0.05),
+                        (0.335, y + 0.022, 0.026),
+                        (-0.335, y + 0.022, 0.026),
+                    )
+                ]
+            )
+            m.poly(
+                [
+                    f @ Vector(p)
+                    for p in (
+                        (-0.335, y - 0.022, 0.012),
+                        (0.335, y - 0.022, 0.012),
+                        (0.335, y - 0.022, 0.05),
+                        (-0.335, y - 0.022, 0.05),
+                    )
+                ]
+            )
+
     m.both(exhaust)
     m.both(lamp)
     m.both(hook)
-    m.begin()           # infantry telephone box, and the coupling
+    m.begin()  # infantry telephone box, and the coupling
     box(m, (0.98, 1.22, -3.78 + 0.03), (1.20, 1.46, -3.60), 0.0, bottom=True)
     m.begin('metal')
     drum(m, 0.06, -3.74, -3.40, 8, at(0, 0.80, 0) @ FRONT, 0.015)
@@ -175,7 +272,13 @@ def front(m):
         m.begin('lamp', smooth=40)
         disc(m, 0.085, 0.085, 8, g)
         m.begin('metal', 0.7)
-        tube(m, [f @ Vector(p) for p in ((-0.15, 0.0, 0.11), (-0.15, 0.20, 0.13), (0.08, 0.20, 0.13), (0.08, 0.0, 0.11))], 0.012, 3, caps=False)
+        tube(
+            m,
+            [f @ Vector(p) for p in ((-0.15, 0.0, 0.11), (-0.15, 0.20, 0.13), (0.08, 0.20, 0.13), (0.08, 0.0, 0.11))],
+            0.012,
+            3,
+            caps=False,
+        )
         m.begin()
         box(m, (0.09, 0.03, -0.06), (0.15, 0.13, 0.06), 0.012, frame=f)
 
@@ -185,6 +288,7 @@ def front(m):
         prism(m, shape, 0.60, 0.67, SIDE)
         prism(m, shape, 0.75, 0.82, SIDE)
         drum(m, 0.022, 0.66, 0.76, 5, at(0, 0.88, 3.68) @ turn('Y', 90), cap0=False, cap1=False)
+
     m.both(light)
     m.both(hook)
     # driver's hatch on the right of the deck, three periscopes before it; a splash board
@@ -196,7 +300,12 @@ def front(m):
         m.begin(dens=0.9)
         box(m, (-0.11, -0.04, -0.07), (0.11, 0.055, 0.05), 0.012, frame=g)
         m.begin('glass')
-        m.poly([g @ Vector(p) for p in ((-0.085, 0.0, 0.055), (0.085, 0.0, 0.055), (0.085, 0.038, 0.055), (-0.085, 0.038, 0.055))])
+        m.poly(
+            [
+                g @ Vector(p)
+                for p in ((-0.085, 0.0, 0.055), (0.085, 0.0, 0.055), (0.085, 0.038, 0.055), (-0.085, 0.038, 0.055))
+            ]
+        )
     m.begin(smooth=20)
     for sx in (1, -1):
         a, b = (0.0, 3.16), (1.02 * sx, 2.86)
@@ -212,9 +321,10 @@ def front(m):
             m.poly([loop[0][i], loop[0][j], loop[1][j], loop[1][i]])
         m.poly(loop[1])
 
-    def grousers():     # snow cleats in a rack on the left of the glacis
+    def grousers():  # snow cleats in a rack on the left of the glacis
         m.begin('track', 0.8, smooth=20)
         box(m, (-0.055, -0.01, -0.16), (0.055, 0.035, 0.16))
+
     places = []
     for k in range(5):
         z = 2.30
@@ -228,27 +338,67 @@ def front(m):
 
 def stowage(m):
     def left():
-        m.begin(smooth=20)      # tool boxes along the sponson
+        m.begin(smooth=20)  # tool boxes along the sponson
         slab(m, [(1.40, DECK, -1.10), (1.40, DECK, -0.35), (1.60, DECK, -0.35), (1.60, DECK, -1.10)], 0.03, 0.012)
+
     m.both(left, share=False)
     # side boxes over the skirts' shelf (outside the turret's sweep only in height)
     # the tow cable, along the left edge of the deck, and its eyes
     m.begin('cable', 0.6)
     x = 1.545
-    tube(m, [(1.30, DECK + 0.03, -3.50), (x - 0.02, DECK + 0.03, -3.40), (x, DECK + 0.022, -3.1), (x, DECK + 0.022, -0.2),
-             (x + 0.01, DECK + 0.022, 1.5), (x, glacis(2.0) + 0.028, 2.0), (x - 0.03, glacis(2.75) + 0.024, 2.75)], 0.02, 5)
+    tube(
+        m,
+        [
+            (1.30, DECK + 0.03, -3.50),
+            (x - 0.02, DECK + 0.03, -3.40),
+            (x, DECK + 0.022, -3.1),
+            (x, DECK + 0.022, -0.2),
+            (x + 0.01, DECK + 0.022, 1.5),
+            (x, glacis(2.0) + 0.028, 2.0),
+            (x - 0.03, glacis(2.75) + 0.024, 2.75),
+        ],
+        0.02,
+        5,
+    )
     m.begin('metal')
     for z in (-2.6, -1.4, 0.2, 1.3):
         box(m, (x - 0.045, DECK - 0.01, z - 0.03), (x + 0.045, DECK + 0.048, z + 0.03))
-    tube(m, [(x - 0.03, glacis(2.77) + 0.03, 2.77), (x - 0.085, glacis(2.87) + 0.03, 2.87), (x - 0.05, glacis(2.97) + 0.03, 2.97),
-             (x + 0.01, glacis(2.97) + 0.03, 2.97), (x + 0.02, glacis(2.87) + 0.03, 2.87)], 0.016, 4, loop=True)
+    tube(
+        m,
+        [
+            (x - 0.03, glacis(2.77) + 0.03, 2.77),
+            (x - 0.085, glacis(2.87) + 0.03, 2.87),
+            (x - 0.05, glacis(2.97) + 0.03, 2.97),
+            (x + 0.01, glacis(2.97) + 0.03, 2.97),
+            (x + 0.02, glacis(2.87) + 0.03, 2.87),
+        ],
+        0.016,
+        4,
+        loop=True,
+    )
     # pioneer tools on the right: shovel, axe, crowbar
     m.begin('wood', 0.8)
     tube(m, [(-1.52, DECK + 0.03, -2.3), (-1.52, DECK + 0.03, -3.1)], 0.018, 4)
     tube(m, [(-1.46, DECK + 0.03, 0.9), (-1.46, DECK + 0.03, -0.1)], 0.018, 4)
     m.begin('metal')
-    prism(m, [(-2.32, -1.60), (-2.32, -1.44), (-2.06, -1.44), (-1.96, -1.52), (-2.06, -1.60)], DECK + 0.01, DECK + 0.045, TOP, (0, 0.012), cap0=False)
-    prism(m, [(0.86, -1.50), (0.98, -1.52), (0.98, -1.34), (0.86, -1.40)], DECK + 0.012, DECK + 0.048, TOP, (0, 0.012), cap0=False)
+    prism(
+        m,
+        [(-2.32, -1.60), (-2.32, -1.44), (-2.06, -1.44), (-1.96, -1.52), (-2.06, -1.60)],
+        DECK + 0.01,
+        DECK + 0.045,
+        TOP,
+        (0, 0.012),
+        cap0=False,
+    )
+    prism(
+        m,
+        [(0.86, -1.50), (0.98, -1.52), (0.98, -1.34), (0.86, -1.40)],
+        DECK + 0.012,
+        DECK + 0.048,
+        TOP,
+        (0, 0.012),
+        cap0=False,
+    )
     tube(m, [(-1.585, DECK + 0.022, -0.4), (-1.585, DECK + 0.022, 1.3)], 0.014, 4)
 
 

@@ -1,35 +1,75 @@
 """The far tank: the same silhouettes for a few hundred triangles, in the same frames."""
 import math
 
-from mathutils import Vector
-
-from frame import CUPOLA, DECK, TRACK_W, TRACK_X, TRUNNION, WHEEL_R
+from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R
 from hull import glacis, yz
-from mesh import SIDE, TOP, Mesh, at, turn
+from mesh import SIDE, TOP, Mesh, at
 from running import ACROSS, END_R, END_Y, IDLER_Z
-from shapes import box, disc, drum, lathe, ngon, prism, rect, stack, tube
+from shapes import box, disc, drum, lathe, prism, rect, stack
 from turret import BELT, BOTTOM, SHOULDER, UP
 
 
 def body():
     m = Mesh('tankbodyLow')
     m.begin()
-    prism(m, yz((-3.74, 1.10), (-3.64, 1.612), (1.85, 1.612), (3.64, glacis(3.62) + 0.012), (3.66, 1.02)), -1.69, 1.69, SIDE)
-    prism(m, yz((-3.52, 0.70), (-3.30, 0.48), (2.98, 0.48), (3.75, 1.02), (3.62, 1.11), (-3.60, 1.17)), -1.03, 1.03, SIDE)
+    prism(
+        m,
+        yz((-3.74, 1.10), (-3.64, 1.612), (1.85, 1.612), (3.64, glacis(3.62) + 0.012), (3.66, 1.02)),
+        -1.69,
+        1.69,
+        SIDE,
+    )
+    prism(
+        m, yz((-3.52, 0.70), (-3.30, 0.48), (2.98, 0.48), (3.75, 1.02), (3.62, 1.11), (-3.60, 1.17)), -1.03, 1.03, SIDE
+    )
 
     def side():
         m.begin()
-        prism(m, yz((-3.40, 0.98), (-2.26, 0.52), (3.06, 0.50), (3.40, 0.84), (3.40, glacis(3.4) - 0.03), (2.40, 1.44), (-3.40, 1.44)), 1.66, 1.775, SIDE, cap0=False)
+        prism(
+            m,
+            yz(
+                (-3.40, 0.98),
+                (-2.26, 0.52),
+                (3.06, 0.50),
+                (3.40, 0.84),
+                (3.40, glacis(3.4) - 0.03),
+                (2.40, 1.44),
+                (-3.40, 1.44),
+            ),
+            1.66,
+            1.775,
+            SIDE,
+            cap0=False,
+        )
         # the track: what hangs out below the skirts, as a thick band
         x0, x1 = TRACK_X - TRACK_W / 2, TRACK_X + TRACK_W / 2
-        o = [(-3.12, 1.10), (-3.50, 0.86), (-3.36, 0.42), (-2.47, 0.0), (2.47, 0.0), (3.36, 0.42), (3.50, 0.86), (3.12, 1.10)]
-        i = [(-3.12, 1.02), (-3.40, 0.82), (-3.27, 0.46), (-2.46, 0.08), (2.46, 0.08), (3.27, 0.46), (3.40, 0.82), (3.12, 1.02)]
+        o = [
+            (-3.12, 1.10),
+            (-3.50, 0.86),
+            (-3.36, 0.42),
+            (-2.47, 0.0),
+            (2.47, 0.0),
+            (3.36, 0.42),
+            (3.50, 0.86),
+            (3.12, 1.10),
+        ]
+        i = [
+            (-3.12, 1.02),
+            (-3.40, 0.82),
+            (-3.27, 0.46),
+            (-2.46, 0.08),
+            (2.46, 0.08),
+            (3.27, 0.46),
+            (3.40, 0.82),
+            (3.12, 1.02),
+        ]
         m.begin(smooth=20)
         for k in range(len(o) - 1):
             a, b, c, d = o[k], o[k + 1], i[k + 1], i[k]
 
             def at3(p, x):
                 return (x, p[1], p[0])
+
             m.poly([at3(a, x1), at3(b, x1), at3(b, x0), at3(a, x0)])
             m.poly([at3(d, x0), at3(c, x0), at3(c, x1), at3(d, x1)])
             m.poly([at3(d, x1), at3(c, x1), at3(b, x1), at3(a, x1)])
@@ -38,6 +78,7 @@ def body():
             m.begin()
             disc(m, END_R, 1.60, 6, at(0, END_Y, z) @ ACROSS)
             disc(m, END_R, 1.15, 6, at(0, END_Y, z) @ ACROSS, up=False)
+
     m.both(side)
     return m
 
@@ -50,6 +91,7 @@ def turret():
     def ring(half):
         h = [half[i] for i in pick]
         return [(z, x) for x, z in h + [(-x, z) for x, z in h[::-1]]]
+
     belt = [(x + 0.03, z) for x, z in BELT]
     stack(m, [(ring(BOTTOM), 0.0), (ring(belt), 0.37), (ring(SHOULDER), 0.80)], TOP)
     m.begin()
@@ -69,8 +111,16 @@ def main_gun():
     m = Mesh('tankmaingunLow')
     y = TRUNNION[1]
     m.begin(smooth=20)
-    stack(m, [(rect(-0.36, -0.28, 0.36, 0.28), 1.20), (rect(-0.33, -0.22, 0.33, 0.22), 1.64), (rect(-0.19, -0.15, 0.19, 0.15), 1.89)],
-          at(0, y, 0), cap0=False)
+    stack(
+        m,
+        [
+            (rect(-0.36, -0.28, 0.36, 0.28), 1.20),
+            (rect(-0.33, -0.22, 0.33, 0.22), 1.64),
+            (rect(-0.19, -0.15, 0.19, 0.15), 1.89),
+        ],
+        at(0, y, 0),
+        cap0=False,
+    )
     m.begin(smooth=70)
     lathe(m, [(0.112, 1.80), (0.108, 6.30)], 5, at(0, y, 0), 0.3)
     disc(m, 0.108, 6.30, 5, at(0, y, 0), 0.3)

@@ -7,17 +7,17 @@ sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
-import atlas      # noqa: E402
-import checks      # noqa: E402
-import exposure   # noqa: E402
-import export     # noqa: E402
-import guns       # noqa: E402
-import hull       # noqa: E402
-import low        # noqa: E402
-import texture    # noqa: E402
-import turret     # noqa: E402
-import wheel      # noqa: E402
-from mesh import unwrap   # noqa: E402
+import atlas  # noqa: E402
+import checks  # noqa: E402
+import exposure  # noqa: E402
+import export  # noqa: E402
+import guns  # noqa: E402
+import hull  # noqa: E402
+import low  # noqa: E402
+import texture  # noqa: E402
+import turret  # noqa: E402
+import wheel  # noqa: E402
+from mesh import unwrap  # noqa: E402
 
 QUALITY = 75
 
@@ -55,4 +55,4 @@ def run(args):
     return 1 if bad else 0
 
 
-sys.exit(run(sys.argv[sys.argv.index('--') + 1:] if '--' in sys.argv else []))
+sys.exit(run(sys.argv[sys.argv.index('--') + 1 :] if '--' in sys.argv else []))

@@ -13,9 +13,9 @@ _part = itertools.count(1)
 _chart = itertools.count(1)
 
 # Frames: local (x, y) is the profile's plane, local z the direction of extrusion.
-FRONT = Matrix.Identity(4)                                                    # profile (x, y) along Z
-SIDE = Matrix(((0, 0, 1, 0), (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 0, 1)))       # profile (y, z) along X
-TOP = Matrix(((0, 1, 0, 0), (0, 0, 1, 0), (1, 0, 0, 0), (0, 0, 0, 1)))        # profile (z, x) along Y
+FRONT = Matrix.Identity(4)  # profile (x, y) along Z
+SIDE = Matrix(((0, 0, 1, 0), (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 0, 1)))  # profile (y, z) along X
+TOP = Matrix(((0, 1, 0, 0), (0, 0, 1, 0), (1, 0, 0, 0), (0, 0, 0, 1)))  # profile (z, x) along Y
 MIRROR = Matrix.Diagonal((-1, 1, 1, 1))
 
 
@@ -31,7 +31,7 @@ def normal_of(p):
     n = Vector((0, 0, 0))
     for i in range(1, len(p) - 1):
         n += (p[i] - p[0]).cross(p[i + 1] - p[0])
-    return n * 0.5      # its length is the area
+    return n * 0.5  # its length is the area
 
 
 def triangulate(p):
@@ -111,8 +111,9 @@ class Mesh:
         p = [points[i] for i in keep]
         if len(p) < 3 or normal_of(p).length < 2e-7:
             return
-        self.faces.append(Face(p, self.id, self.mat, self.dens, self.smooth,
-                               [tuple(uv[i]) for i in keep] if uv else None, chart))
+        self.faces.append(
+            Face(p, self.id, self.mat, self.dens, self.smooth, [tuple(uv[i]) for i in keep] if uv else None, chart)
+        )
 
     # ---- copies
     def since(self, mark):

@@ -7,15 +7,15 @@ sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
-import bpy                                        # noqa: E402
-from mathutils import Matrix, Vector              # noqa: E402
+import bpy  # noqa: E402
+from mathutils import Matrix, Vector  # noqa: E402
 
-from export import read_obj                       # noqa: E402
-from frame import CUPOLA, MG_OFFSET, TRACK_X, TRUNNION, TURRET, WHEEL_Y, WHEEL_Z   # noqa: E402
-from mesh import at, turn                         # noqa: E402
+from export import read_obj  # noqa: E402
+from frame import CUPOLA, MG_OFFSET, TRACK_X, TRUNNION, TURRET, WHEEL_Y, WHEEL_Z  # noqa: E402
+from mesh import at, turn  # noqa: E402
 
 ASSETS = os.path.join(HERE, '..', '..', 'assets')
-ZUP = Matrix.Rotation(math.pi / 2, 4, 'X')        # our Y up into Blender's Z up
+ZUP = Matrix.Rotation(math.pi / 2, 4, 'X')  # our Y up into Blender's Z up
 
 
 SUN = Vector((0.45, -0.45, 0.77)).normalized()
@@ -36,6 +36,7 @@ def material(name, image, lit=True):
 
     def wire(a, i, b, j):
         nt.links.new(a.outputs[i], b.inputs[j])
+
     geo = node('ShaderNodeNewGeometry')
     dot = node('ShaderNodeVectorMath', _1=SUN)
     dot.operation = 'DOT_PRODUCT'
@@ -54,7 +55,11 @@ def material(name, image, lit=True):
         tex = node('ShaderNodeTexImage')
         tex.image = image
         wire(tex, 'Color', good, 0)
-    bad, sw, out = node('ShaderNodeEmission', _0=(1, 0, 1, 1)), node('ShaderNodeMixShader'), node('ShaderNodeOutputMaterial')
+    bad, sw, out = (
+        node('ShaderNodeEmission', _0=(1, 0, 1, 1)),
+        node('ShaderNodeMixShader'),
+        node('ShaderNodeOutputMaterial'),
+    )
     wire(geo, 'Backfacing', sw, 0)
     wire(good, 0, sw, 1)
     wire(bad, 0, sw, 2)
@@ -84,6 +89,7 @@ def place(meshes, yaw, pitch, mg, where=Matrix()):
         o.matrix_world = ZUP @ where @ m
         bpy.context.collection.objects.link(o)
         made.append(o)
+
     put(0, Matrix())
     t = at(*TURRET) @ turn('Y', yaw)
     put(1, t)
@@ -157,6 +163,7 @@ def main(args):
     scene.collection.objects.link(camera)
     scene.camera = camera
     from PIL import Image
+
     shots = []
     for w in wanted:
         eye, target, lens, yaw, pitch, mg = VIEWS[w]
@@ -185,4 +192,4 @@ def main(args):
     sheet.save('/tmp/tank_%s.png' % name)
 
 
-main(sys.argv[sys.argv.index('--') + 1:])
+main(sys.argv[sys.argv.index('--') + 1 :])

@@ -5,10 +5,10 @@ from mathutils import Vector
 
 from frame import LINK, TRACK_W, TRACK_X, WHEEL_R, WHEEL_Y, WHEEL_Z
 from mesh import SIDE, at, new_chart, turn
-from shapes import disc, drum, lathe, ngon, prism
+from shapes import drum, lathe, prism
 
 IDLER_Z, END_Y, END_R = 3.12, 0.72, 0.30
-ACROSS = turn('Y', 90)       # a lathe's axis laid along X
+ACROSS = turn('Y', 90)  # a lathe's axis laid along X
 
 
 def path():
@@ -21,14 +21,17 @@ def path():
 
     def on(cz, cy, r, a):
         return Vector((cz + r * math.cos(a), cy + r * math.sin(a)))
-    return [('line', Vector((-w, WHEEL_Y - WHEEL_R)), Vector((w, WHEEL_Y - WHEEL_R))),
-            ('arc', (w, WHEEL_Y), WHEEL_R, down, phi),
-            ('line', on(w, WHEEL_Y, WHEEL_R, phi), on(e, END_Y, END_R, phi)),
-            ('arc', (e, END_Y), END_R, phi, up),
-            ('line', Vector((e, END_Y + END_R)), Vector((-e, END_Y + END_R))),
-            ('arc', (-e, END_Y), END_R, up, math.pi - phi),
-            ('line', on(-e, END_Y, END_R, math.pi - phi), on(-w, WHEEL_Y, WHEEL_R, math.pi - phi)),
-            ('arc', (-w, WHEEL_Y), WHEEL_R, math.pi - phi, math.pi * 1.5)]
+
+    return [
+        ('line', Vector((-w, WHEEL_Y - WHEEL_R)), Vector((w, WHEEL_Y - WHEEL_R))),
+        ('arc', (w, WHEEL_Y), WHEEL_R, down, phi),
+        ('line', on(w, WHEEL_Y, WHEEL_R, phi), on(e, END_Y, END_R, phi)),
+        ('arc', (e, END_Y), END_R, phi, up),
+        ('line', Vector((e, END_Y + END_R)), Vector((-e, END_Y + END_R))),
+        ('arc', (-e, END_Y), END_R, up, math.pi - phi),
+        ('line', on(-e, END_Y, END_R, math.pi - phi), on(-w, WHEEL_Y, WHEEL_R, math.pi - phi)),
+        ('arc', (-w, WHEEL_Y), WHEEL_R, math.pi - phi, math.pi * 1.5),
+    ]
 
 
 def lengths(segments):
@@ -69,32 +72,43 @@ def track(m):
     def put(pts, uv, chart):
         m.poly(pts, uv, chart)
         m.faces[-1].copy = not first
+
     s = 0.0
     k = 0
     while k < count:
         s = k * pitch
         hidden = s > top0 + 0.25 and s + pitch < top1 - 0.25
         n = 1
-        if hidden:      # under the skirts a plain slab, several links long
+        if hidden:  # under the skirts a plain slab, several links long
             n = min(6, int((top1 - 0.25 - s) / pitch))
             n = max(n, 1)
         span = n * pitch
-        st = [(0.0, LINK - 0.004), (1.0, LINK - 0.004)] if hidden else [(0.0, groove), (0.13, LINK), (0.87, LINK), (1.0, groove)]
+        st = (
+            [(0.0, LINK - 0.004), (1.0, LINK - 0.004)]
+            if hidden
+            else [(0.0, groove), (0.13, LINK), (0.87, LINK), (1.0, groove)]
+        )
         o = [at_s(s + f * span, h) for f, h in st]
         i0, i1 = at_s(s, 0), at_s(s + span, 0)
         m.begin('track', 1.6, smooth=25)
         for (a, b), (f, _), (g, _) in zip(zip(o, o[1:]), st, st[1:]):
-            put([(x0, a.y, a.x), (x0, b.y, b.x), (x1, b.y, b.x), (x1, a.y, a.x)][::-1],
-                [(0, f * pitch), (0, g * pitch), (TRACK_W, g * pitch), (TRACK_W, f * pitch)][::-1], outer)
+            put(
+                [(x0, a.y, a.x), (x0, b.y, b.x), (x1, b.y, b.x), (x1, a.y, a.x)][::-1],
+                [(0, f * pitch), (0, g * pitch), (TRACK_W, g * pitch), (TRACK_W, f * pitch)][::-1],
+                outer,
+            )
         m.begin('track', 0.8, smooth=25)
-        put([(x0, i0.y, i0.x), (x0, i1.y, i1.x), (x1, i1.y, i1.x), (x1, i0.y, i0.x)],
-            [(0, 0), (0, pitch), (TRACK_W, pitch), (TRACK_W, 0)], inner)
+        put(
+            [(x0, i0.y, i0.x), (x0, i1.y, i1.x), (x1, i1.y, i1.x), (x1, i0.y, i0.x)],
+            [(0, 0), (0, pitch), (TRACK_W, pitch), (TRACK_W, 0)],
+            inner,
+        )
         m.begin('track', 1.6, smooth=25)
         ring = [i0] + o + [i1]
         suv = [(0, 0)] + [(f * pitch, h) for f, h in st] + [(pitch, 0)]
         put([(x1, p.y, p.x) for p in ring][::-1], suv[::-1], side1)
         flank, fuv = ring, suv
-        if hidden or s + pitch < lengths(seg)[0]:      # lying on the ground it needs no grooves towards the hull
+        if hidden or s + pitch < lengths(seg)[0]:  # lying on the ground it needs no grooves towards the hull
             flank, fuv = (i0, at_s(s, LINK), at_s(s + span, LINK), i1), [(0, 0), (0, LINK), (pitch, LINK), (pitch, 0)]
         put([(x0, p.y, p.x) for p in flank], fuv, side0)
         if s + pitch < lengths(seg)[0]:
@@ -130,16 +144,36 @@ def sprocket(m):
 def idler(m):
     f = at(0, END_Y, IDLER_Z) @ ACROSS
     m.begin('paint', smooth=40)
-    lathe(m, [(0.0, 1.15), (0.298, 1.165), (0.298, 1.345), (0.21, 1.38), (0.298, 1.415), (0.298, 1.60), (0.26, 1.61),
-              (0.235, 1.575), (0.10, 1.555)], 11, f)
-    m.begin('paint', smooth=40)
+    lathe(
+        m,
+        [
+            (0.0, 1.15),
+            (0.298, 1.165),
+            (0.298, 1.345),
+            (0.21, 1.38),
+            (0.298, 1.415),
+            (0.298, 1.60),
+            (0.26, 1.61),
+            (0.235, 1.575),
+            (0.10, 1.555),
+        ],
+        11,
+        f,
+    )
+    m.begin('paint', smooth=62)
     lathe(m, [(0.12, 1.54), (0.10, 1.628), (0.0, 1.636)], 7, f)
 
 
 def arms(m):
     for z in WHEEL_Z:
-        m.begin('paint', 0.4, smooth=20)      # a trailing arm
-        arm = [(0.66, z + 0.30), (0.56, z + 0.36), (WHEEL_Y - 0.07, z + 0.05), (WHEEL_Y - 0.04, z - 0.07), (WHEEL_Y + 0.08, z - 0.03)]
+        m.begin('paint', 0.4, smooth=20)  # a trailing arm
+        arm = [
+            (0.66, z + 0.30),
+            (0.56, z + 0.36),
+            (WHEEL_Y - 0.07, z + 0.05),
+            (WHEEL_Y - 0.04, z - 0.07),
+            (WHEEL_Y + 0.08, z - 0.03),
+        ]
         prism(m, arm, 1.015, 1.12, SIDE)
     for z in (1.2, -0.4, -2.0):
         m.begin('metal', 0.4, smooth=40)
@@ -152,4 +186,5 @@ def build(m):
         sprocket(m)
         idler(m)
         arms(m)
+
     m.both(side)

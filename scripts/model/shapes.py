@@ -3,7 +3,7 @@ import math
 
 from mathutils import Matrix, Vector
 
-from mesh import FRONT, SIDE, TOP, at, new_chart  # noqa: F401 (re-exported for the model files)
+from mesh import FRONT, TOP, new_chart
 
 
 def area2(p):
@@ -41,8 +41,9 @@ def rect(x0, y0, x1, y1, cut=0.0):
 
 
 def ngon(n, r, x=0.0, y=0.0, start=0.0):
-    return [(x + r * math.cos(start + 2 * math.pi * i / n), y + r * math.sin(start + 2 * math.pi * i / n))
-            for i in range(n)]
+    return [
+        (x + r * math.cos(start + 2 * math.pi * i / n), y + r * math.sin(start + 2 * math.pi * i / n)) for i in range(n)
+    ]
 
 
 def loft(m, rings, cap0=True, cap1=True, closed=True):
@@ -75,16 +76,21 @@ def prism(m, profile, a, b, frame=FRONT, bevel=(0, 0), cap0=True, cap1=True):
     stack(m, layers, frame, cap0, cap1)
 
 
-def box(m, lo, hi, bevel=0.0, cut=0.0, frame=None, bottom=False):
+def box(m, lo, hi, bevel=0.0, cut=0.0, frame=None, bottom=False, top=True):
     """Stands on its y-low face, which is left out unless asked for; the top edge is bevelled."""
     f = (frame @ TOP) if frame else TOP
-    prism(m, rect(lo[2], lo[0], hi[2], hi[0], cut), lo[1], hi[1], f, (0, bevel), cap0=bottom)
+    prism(m, rect(lo[2], lo[0], hi[2], hi[0], cut), lo[1], hi[1], f, (0, bevel), cap0=bottom, cap1=top)
 
 
-def lathe(m, profile, n, frame=FRONT, start=0.0, wrap=1.0):
+def lathe(m, profile, n, frame=FRONT, start=0.0):
     """Profile (r, t) about the frame's z; the outside lies to the right of the way it is walked."""
-    ring = [[frame @ Vector((r * math.cos(start + 2 * math.pi * i / n), r * math.sin(start + 2 * math.pi * i / n), t))
-             for i in range(n)] for r, t in profile]
+    ring = [
+        [
+            frame @ Vector((r * math.cos(start + 2 * math.pi * i / n), r * math.sin(start + 2 * math.pi * i / n), t))
+            for i in range(n)
+        ]
+        for r, t in profile
+    ]
     chart, v0 = 0, 0.0
     for k in range(len(profile) - 1):
         (r0, t0), (r1, t1) = profile[k], profile[k + 1]
@@ -98,12 +104,10 @@ def lathe(m, profile, n, frame=FRONT, start=0.0, wrap=1.0):
             j = (i + 1) % n
             uv = None
             if chart:
-                u0, u1 = (rr * wrap * 2 * math.pi * q / n for q in (i, i + 1))
+                u0, u1 = (rr * 2 * math.pi * q / n for q in (i, i + 1))
                 uv = [(u0, v0), (u1, v0), (u1, v0 + length), (u0, v0 + length)]
             m.poly([ring[k][i], ring[k][j], ring[k + 1][j], ring[k + 1][i]], uv, chart)
         v0 += length
-    if profile[0][0] > 0 and profile[0][0] != profile[-1][0]:
-        pass
 
 
 def disc(m, r, t, n, frame=FRONT, start=0.0, up=True):
@@ -137,7 +141,7 @@ def tube(m, path, r, n=5, caps=True, loop=False):
         side = (side - d * side.dot(d)).normalized()
         up = d.cross(side)
         stretch = 1.0 / max(0.5, d.dot(d1))
-        bend = (d2 - d1)
+        bend = d2 - d1
         bend = bend.normalized() if bend.length > 1e-6 else None
         ring = []
         for k in range(n):
@@ -153,8 +157,11 @@ def tube(m, path, r, n=5, caps=True, loop=False):
         for i in range(n):
             j = (i + 1) % n
             u0, u1 = (2 * math.pi * r * q / n for q in (i, i + 1))
-            m.poly([rings[a][i], rings[a][j], rings[b][j], rings[b][i]],
-                   [(u0, v), (u1, v), (u1, v + length), (u0, v + length)], chart)
+            m.poly(
+                [rings[a][i], rings[a][j], rings[b][j], rings[b][i]],
+                [(u0, v), (u1, v), (u1, v + length), (u0, v + length)],
+                chart,
+            )
         v += length
     if caps and not loop:
         m.poly(rings[0][::-1])

@@ -10,12 +10,41 @@ from frame import CUPOLA, MG_OFFSET, TURRET, WHEEL_Y, WHEEL_Z, TRACK_X
 from running import END_Y, IDLER_Z as END_Z
 from wheel import RIM
 
-MATS = ['paint', 'wheel', 'track', 'rubber', 'metal', 'gunmetal', 'barrel', 'dark', 'glass', 'lamp', 'redlamp', 'canvas',
-        'strap', 'crate', 'wood', 'cable', 'brass']
-COLOUR = {'rubber': (58, 57, 56), 'metal': (84, 86, 82), 'gunmetal': (72, 74, 78), 'dark': (38, 38, 37),
-          'glass': (46, 70, 92), 'lamp': (224, 222, 204), 'redlamp': (176, 40, 32), 'canvas': (140, 130, 96),
-          'strap': (78, 68, 50), 'crate': (104, 112, 76), 'wood': (158, 122, 78), 'cable': (92, 90, 86),
-          'brass': (176, 146, 76), 'track': (112, 106, 98)}
+MATS = [
+    'paint',
+    'wheel',
+    'track',
+    'rubber',
+    'metal',
+    'gunmetal',
+    'barrel',
+    'dark',
+    'glass',
+    'lamp',
+    'redlamp',
+    'canvas',
+    'strap',
+    'crate',
+    'wood',
+    'cable',
+    'brass',
+]
+COLOUR = {
+    'rubber': (58, 57, 56),
+    'metal': (84, 86, 82),
+    'gunmetal': (72, 74, 78),
+    'dark': (38, 38, 37),
+    'glass': (42, 58, 74),
+    'lamp': (224, 222, 204),
+    'redlamp': (176, 40, 32),
+    'canvas': (140, 130, 96),
+    'strap': (78, 68, 50),
+    'crate': (104, 112, 76),
+    'wood': (158, 122, 78),
+    'cable': (92, 90, 86),
+    'brass': (176, 146, 76),
+    'track': (112, 106, 98),
+}
 GREEN, BROWN, BLACK = (106, 114, 82), (132, 106, 82), (78, 78, 74)
 DUST = np.array((160, 144, 116.0))
 WHITE = np.array((224, 222, 208.0))
@@ -31,10 +60,19 @@ def noise(p, freq, seed):
     for dx in (0, 1):
         for dy in (0, 1):
             for dz in (0, 1):
-                h = ((i[..., 0] + dx) * 374761393 + (i[..., 1] + dy) * 668265263 + (i[..., 2] + dz) * 2147483647 + seed * 974634777) & 0xffffffff
-                h = ((h ^ (h >> 13)) * 1274126177) & 0xffffffff
-                h = ((h ^ (h >> 16)) * 2246822519) & 0xffffffff
-                w = (f[..., 0] if dx else 1 - f[..., 0]) * (f[..., 1] if dy else 1 - f[..., 1]) * (f[..., 2] if dz else 1 - f[..., 2])
+                h = (
+                    (i[..., 0] + dx) * 374761393
+                    + (i[..., 1] + dy) * 668265263
+                    + (i[..., 2] + dz) * 2147483647
+                    + seed * 974634777
+                ) & 0xFFFFFFFF
+                h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
+                h = ((h ^ (h >> 16)) * 2246822519) & 0xFFFFFFFF
+                w = (
+                    (f[..., 0] if dx else 1 - f[..., 0])
+                    * (f[..., 1] if dy else 1 - f[..., 1])
+                    * (f[..., 2] if dz else 1 - f[..., 2])
+                )
                 out = out + w * (h / 2147483647.5 - 1.0)
     return out
 
@@ -74,11 +112,13 @@ def occlusion(layer, meshes, count):
     body, turret, gun, mg, wheel = meshes
     wheels = [(wheel, (s * TRACK_X, WHEEL_Y, z)) for s in (1, -1) for z in WHEEL_Z]
     off = Vector(TURRET)
-    scenes = [(tree([(body, (0, 0, 0))] + wheels), tree([(turret, off)]), 0.45, 1.1, True),
-              (tree([(turret, (0, 0, 0))]), tree([(body, -off)]), 0.5, 0.9, True),
-              (tree([(gun, (0, 0, 0))]), None, 0, 0.4, True),
-              (tree([(mg, (0, 0, 0))]), None, 0, 0.2, True),
-              (tree([(wheel, (0, 0, 0))]), None, 0, 0.5, False)]
+    scenes = [
+        (tree([(body, (0, 0, 0))] + wheels), tree([(turret, off)]), 0.45, 1.1, True),
+        (tree([(turret, (0, 0, 0))]), tree([(body, -off)]), 0.5, 0.9, True),
+        (tree([(gun, (0, 0, 0))]), None, 0, 0.4, True),
+        (tree([(mg, (0, 0, 0))]), None, 0, 0.2, True),
+        (tree([(wheel, (0, 0, 0))]), None, 0, 0.5, False),
+    ]
     ao = np.ones(layer['mesh'].shape)
     ys, xs = np.nonzero(layer['mesh'] >= 0)
     group = {}
@@ -119,7 +159,7 @@ def occlusion(layer, meshes, count):
     for _ in range(3):
         total, weight = ao.copy(), np.ones_like(ao)
         for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1)):
-            same = (np.roll(layer['chart'], (dy, dx), (0, 1)) == layer['chart'])
+            same = np.roll(layer['chart'], (dy, dx), (0, 1)) == layer['chart']
             same &= (np.roll(layer['flat'], (dy, dx), (0, 1)) * layer['flat']).sum(-1) > 0.5
             total += np.where(same, np.roll(ao, (dy, dx), (0, 1)), 0)
             weight += same
@@ -128,16 +168,18 @@ def occlusion(layer, meshes, count):
 
 
 # ---- stencils: strokes on a 4 x 6 grid
-GLYPH = {'0': [(0, 1, 0, 5), (4, 1, 4, 5), (1, 0, 3, 0), (1, 6, 3, 6)],
-         '1': [(2, 0, 2, 6), (0.8, 4.6, 2, 6)],
-         '2': [(0.3, 6, 3, 6), (4, 5, 4, 4), (4, 3.6, 0, 0.6), (0, 0, 4, 0)],
-         '3': [(0, 6, 3, 6), (4, 5, 4, 4), (1.2, 3, 3, 3), (4, 2, 4, 1), (0, 0, 3, 0)],
-         '4': [(3, 0, 3, 6), (2.4, 5.6, 0, 2.2), (0, 1.8, 4, 1.8)],
-         '7': [(0, 6, 4, 6), (4, 5.2, 1.4, 0)],
-         '6': [(0, 1, 0, 5), (1, 6, 3.4, 6), (1, 3, 3, 3), (4, 2.4, 4, 0.8), (1, 0, 3, 0)],
-         '-': [(1, 3, 3, 3)],
-         'T': [(0, 6, 4, 6), (2, 5.2, 2, 0)],
-         'L': [(0, 0, 0, 6), (0.8, 0, 4, 0)]}
+GLYPH = {
+    '0': [(0, 1, 0, 5), (4, 1, 4, 5), (1, 0, 3, 0), (1, 6, 3, 6)],
+    '1': [(2, 0, 2, 6), (0.8, 4.6, 2, 6)],
+    '2': [(0.3, 6, 3, 6), (4, 5, 4, 4), (4, 3.6, 0, 0.6), (0, 0, 4, 0)],
+    '3': [(0, 6, 3, 6), (4, 5, 4, 4), (1.2, 3, 3, 3), (4, 2, 4, 1), (0, 0, 3, 0)],
+    '4': [(3, 0, 3, 6), (2.4, 5.6, 0, 2.2), (0, 1.8, 4, 1.8)],
+    '7': [(0, 6, 4, 6), (4, 5.2, 1.4, 0)],
+    '6': [(0, 1, 0, 5), (1, 6, 3.4, 6), (1, 3, 3, 3), (4, 2.4, 4, 0.8), (1, 0, 3, 0)],
+    '-': [(1, 3, 3, 3)],
+    'T': [(0, 6, 4, 6), (2, 5.2, 2, 0)],
+    'L': [(0, 0, 0, 6), (0.8, 0, 4, 0)],
+}
 
 
 def stencil(u, v, text, height):
@@ -158,11 +200,18 @@ def paint(layer, meshes, count, mats=MATS):
     ok = layer['mesh'] >= 0
     sel = {k: v[ok] for k, v in layer.items()}
     mesh, mat, p, n = sel['mesh'], sel['mat'], sel['pos'], sel['nrm']
-    offsets = [np.zeros(3), np.array(TURRET), np.array(TURRET), np.array(TURRET) + np.array(CUPOLA) + np.array(MG_OFFSET), np.array((0.0, 0.0, 0.0))]
+    offsets = [
+        np.zeros(3),
+        np.array(TURRET),
+        np.array(TURRET),
+        np.array(TURRET) + np.array(CUPOLA) + np.array(MG_OFFSET),
+        np.array((0.0, 0.0, 0.0)),
+    ]
     tank = p + np.array(offsets)[mesh]
 
     def is_(name):
         return mat == mats.index(name)
+
     # camouflage
     warp = np.stack([noise(tank, 1.1, 3), noise(tank, 1.1, 4), noise(tank, 1.1, 5)], -1) * 0.35
     q = (tank + warp) * np.array((0.8, 0.9, 0.62))
@@ -179,7 +228,6 @@ def paint(layer, meshes, count, mats=MATS):
     # wheels: rubber outside the rim, a hub with bolts, dark lightening holes
     w = is_('wheel')
     r = np.hypot(p[:, 1], p[:, 2])
-    ang = np.arctan2(p[:, 1], p[:, 2])
     col[w] = np.array(GREEN, float) * 0.98
     face = w & (np.abs(p[:, 0]) > 0.15)
     tyre = w & ((r > RIM - 0.004) | (np.abs(p[:, 0]) < 0.09))
@@ -203,7 +251,13 @@ def paint(layer, meshes, count, mats=MATS):
         d = np.hypot(p[:, 1] - 0.02, p[:, 2] - 0.025)
         col[hub & (d < 0.018)] = (170, 60, 44)
     # sprocket and idler hubs: a dark groove and a ring of bolts
-    end = (mesh == 0) & is_('paint') & (np.abs(np.abs(p[:, 0]) - 1.62) < 0.112) & (np.abs(np.abs(p[:, 2]) - END_Z) < 0.3) & (p[:, 1] < 1.05)
+    end = (
+        (mesh == 0)
+        & is_('paint')
+        & (np.abs(np.abs(p[:, 0]) - 1.62) < 0.112)
+        & (np.abs(np.abs(p[:, 2]) - END_Z) < 0.3)
+        & (p[:, 1] < 1.05)
+    )
     dy, dz = p[:, 1] - END_Y, np.abs(p[:, 2]) - END_Z
     rr = np.hypot(dy, dz)
     turned = np.arctan2(dy, dz)
@@ -249,11 +303,15 @@ def paint(layer, meshes, count, mats=MATS):
     steep = is_('paint') & (np.abs(n[:, 1]) < 0.75) & (mesh < 2)
     streak = step(0.2, 0.7, noise(tank * np.array((7.0, 0.7, 7.0)), 1.0, 33))
     col = mix(col, DUST * 0.8, np.where(steep, 0.20 * streak, 0))
-    soot = np.exp(-(((np.abs(tank[:, 0]) - 0.62) / 0.42) ** 2 + ((tank[:, 1] - 1.42) / 0.20) ** 2)) * (tank[:, 2] < -3.5)
+    soot = np.exp(-(((np.abs(tank[:, 0]) - 0.62) / 0.42) ** 2 + ((tank[:, 1] - 1.42) / 0.20) ** 2)) * (
+        tank[:, 2] < -3.5
+    )
     col = col * (1 - 0.45 * soot * is_('paint') * (mesh == 0))[:, None]
     # dust: low parts, and what faces up
     high = np.where((mesh == 0), step(1.25, 0.30, tank[:, 1]), 0.0)
-    dust = np.clip(high * (0.62 + 0.30 * noise(tank, 1.7, 41) + 0.22 * noise(tank, 5.0, 42)), 0, 0.75) * np.where(t, 0.5, 0.85)
+    dust = np.clip(high * (0.62 + 0.30 * noise(tank, 1.7, 41) + 0.22 * noise(tank, 5.0, 42)), 0, 0.75) * np.where(
+        t, 0.5, 0.85
+    )
     dust = np.where(w, np.clip(0.20 + 0.2 * noise(p, 6.0, 43), 0, 1), dust)
     up = np.clip(n[:, 1], 0, 1) * np.clip(0.15 + 0.16 * noise(tank, 1.3, 44), 0, 1)
     dust = np.where(is_('lamp') | is_('redlamp') | is_('glass'), 0.05, np.maximum(dust, np.where(w, 0, up)))
@@ -266,10 +324,11 @@ def paint(layer, meshes, count, mats=MATS):
 
     def letter(on, u, v, text, height, colour=WHITE):
         return mix(col, np.array(colour, float), np.where(on, stencil(u, v, text, height) * flake, 0))
+
     tur, body = (mesh == 1) & is_('paint'), (mesh == 0) & is_('paint')
     for sign in (1, -1):
         on = tur & (n[:, 0] * sign > 0.5) & (sel['size'] > 0.05)
-        u = -(p[:, 2] - 0.42) if sign > 0 else (p[:, 2] + 0.38)
+        u = -(p[:, 2] - 0.525) if sign > 0 else p[:, 2] - 0.01
         col = letter(on, u, p[:, 1] - 0.47, '327', 0.21)
     ahead = body & (n[:, 2] > 0.5) & (p[:, 1] < 1.02)
     behind = body & (n[:, 2] < -0.5)
@@ -284,7 +343,7 @@ def paint(layer, meshes, count, mats=MATS):
     ao = occlusion(layer, meshes, count)[ok]
     shade = 0.44 + 0.56 * np.clip(ao * 1.12, 0, 1) ** 0.85
     shade = np.where(is_('lamp') | is_('redlamp'), 1.0, shade)
-    col = np.clip(col * shade[:, None] * 1.14, 0, 255)
+    col = np.clip(col * shade[:, None] * 1.20, 0, 255)
     image = np.zeros(layer['pos'].shape)
     image[ok] = col
     print('texture: average %.0f, %.0f%% of the atlas used, mean AO %.2f' % (col.mean(), 100 * ok.mean(), ao.mean()))
@@ -323,5 +382,6 @@ def pull_push(image, ok):
 
 def save(image, path, quality):
     from PIL import Image
+
     data = np.round(image[::-1]).astype(np.uint8)
     Image.fromarray(data, 'RGB').save(path, 'JPEG', quality=quality, optimize=True, subsampling='4:2:0')

@@ -1,21 +1,52 @@
 """The turret: an arrow-shaped shell, armour modules, bustle rack, and the roof's furniture."""
-import math
-
 from mathutils import Vector
 
 from frame import CUPOLA
-from mesh import TOP, Mesh, at, turn
-from shapes import box, disc, drum, inset, lathe, loft, ngon, prism, rect, slab, stack, tube
+from mesh import SIDE, TOP, Mesh, at, turn
+from shapes import box, disc, drum, inset, lathe, prism, rect, slab, stack, tube
 
 UP = turn('X', -90)
 ROOF = 0.80
 NOTCH_X, NOTCH_Z = 0.44, 0.89
 # half outlines (x, z), front to rear
-BOTTOM = [(0.44, 1.14), (0.55, 1.14), (1.08, 0.60), (1.12, 0.50), (1.08, -0.85), (0.97, -1.02), (0.90, -1.10), (0.80, -1.14)]
-BELT = [(0.44, 1.66), (0.62, 1.74), (1.40, 0.78), (1.47, 0.62), (1.47, -1.05), (1.39, -1.30), (1.30, -2.18), (1.20, -2.26)]
-SHOULDER = [(0.44, 1.20), (0.56, 1.20), (1.16, 0.62), (1.25, 0.50), (1.27, -1.02), (1.22, -1.25), (1.14, -2.14), (1.06, -2.20)]
-LEVELS = [(0.05, BOTTOM, 0.03), (0.08, BOTTOM, 0.0), (0.33, BELT, 0.0), (0.40, BELT, 0.0), (0.765, SHOULDER, 0.0),
-          (0.80, SHOULDER, 0.032)]
+BOTTOM = [
+    (0.44, 1.14),
+    (0.55, 1.14),
+    (1.08, 0.60),
+    (1.12, 0.50),
+    (1.08, -0.85),
+    (0.97, -1.02),
+    (0.90, -1.10),
+    (0.80, -1.14),
+]
+BELT = [
+    (0.44, 1.66),
+    (0.62, 1.74),
+    (1.40, 0.78),
+    (1.47, 0.62),
+    (1.47, -1.05),
+    (1.39, -1.30),
+    (1.30, -2.18),
+    (1.20, -2.26),
+]
+SHOULDER = [
+    (0.44, 1.20),
+    (0.56, 1.20),
+    (1.16, 0.62),
+    (1.25, 0.50),
+    (1.27, -1.02),
+    (1.22, -1.25),
+    (1.14, -2.14),
+    (1.06, -2.20),
+]
+LEVELS = [
+    (0.05, BOTTOM, 0.03),
+    (0.08, BOTTOM, 0.0),
+    (0.33, BELT, 0.0),
+    (0.40, BELT, 0.0),
+    (0.765, SHOULDER, 0.0),
+    (0.80, SHOULDER, 0.032),
+]
 
 
 def outline(half):
@@ -47,6 +78,7 @@ def band(i, lower, upper, y0, y1):
 def patch(q, u0, u1, v0, v1):
     def on(u, v):
         return (q[0] * (1 - u) + q[1] * u) * (1 - v) + (q[3] * (1 - u) + q[2] * u) * v
+
     return [on(u0, v0), on(u1, v0), on(u1, v1), on(u0, v1)]
 
 
@@ -60,7 +92,7 @@ def armour(m):
         slab(m, patch(cheek, 0.02, 0.48, 0.04, 0.93), 0.035, 0.018)
         slab(m, patch(cheek, 0.51, 0.97, 0.04, 0.93), 0.035, 0.018)
         slab(m, patch(under, 0.05, 0.95, 0.25, 0.95), 0.025, 0.014)
-        for u0, u1 in ((0.01, 0.30), (0.32, 0.61)):
+        for u0, u1 in ((0.01, 0.42), (0.44, 0.61)):
             m.begin(smooth=20)
             slab(m, patch(side, u0, u1, 0.03, 0.94), 0.045, 0.02)
         # stowage bins on the bustle's flanks
@@ -68,6 +100,7 @@ def armour(m):
         m.begin(smooth=20)
         slab(m, patch(flank, 0.04, 0.50, -0.10, 0.92), 0.13, 0.03)
         slab(m, patch(flank, 0.53, 0.96, -0.10, 0.92), 0.13, 0.03)
+
     m.both(build, share=False)
 
 
@@ -79,6 +112,7 @@ def smoke(m):
     def bank():
         m.begin(smooth=20)
         slab(m, patch(side, 0.64, 0.97, 0.12, 0.88), 0.05, 0.015)
+
     m.both(bank)
 
     def tube1():
@@ -86,6 +120,7 @@ def smoke(m):
         drum(m, 0.040, -0.09, 0.14, 6, cap0=False, cap1=False)
         m.begin('dark', 0.5)
         disc(m, 0.040, 0.14, 6)
+
     places = []
     for row in range(2):
         for k in range(4):
@@ -101,14 +136,13 @@ def commander(m):
     lathe(m, [(0.43, 0.79), (0.43, 0.825), (0.375, 0.84), (0.355, 0.918), (0.268, 0.918), (0.262, 0.90)], 14, f)
     m.begin(smooth=40)
     lathe(m, [(0.266, 0.895), (0.255, 0.94), (0.0, 0.962)], 14, f)
-    m.begin('metal')
-    box(m, (x - 0.08, 0.90, z - 0.31), (x + 0.08, 0.945, z - 0.245), 0.01)
 
     def block():
         m.begin(smooth=20)
         box(m, (-0.075, 0.0, -0.03), (0.075, 0.082, 0.045))
         m.begin('glass', 0.8)
         m.poly([(-0.055, 0.022, 0.0495), (0.055, 0.022, 0.0495), (0.055, 0.066, 0.0495), (-0.055, 0.066, 0.0495)])
+
     m.many(block, [at(x, 0.815, z) @ turn('Y', 22.5 + 45 * k) @ at(0, 0, 0.385) for k in range(8)])
 
 
@@ -118,14 +152,30 @@ def loader(m):
     m.begin(smooth=40)
     lathe(m, [(0.36, 0.79), (0.36, 0.83), (0.335, 0.845), (0.295, 0.845), (0.285, 0.868), (0.0, 0.885)], 12, f)
     m.begin('metal')
-    tube(m, [(x - 0.12, 0.86, z - 0.05), (x - 0.12, 0.92, z - 0.03), (x + 0.10, 0.92, z - 0.03), (x + 0.10, 0.86, z - 0.05)], 0.013, 4, caps=False)
+    tube(
+        m,
+        [
+            (x - 0.12, 0.86, z - 0.05),
+            (x - 0.12, 0.92, z - 0.03),
+            (x + 0.10, 0.92, z - 0.03),
+            (x + 0.10, 0.86, z - 0.05),
+        ],
+        0.013,
+        4,
+        caps=False,
+    )
     m.begin('metal')
     box(m, (x - 0.20, 0.79, z - 0.40), (x + 0.20, 0.85, z - 0.30), 0.012)
     m.begin()
     g = at(x + 0.05, 0.80, z + 0.50) @ turn('Y', 14)
     box(m, (-0.10, -0.01, -0.07), (0.10, 0.10, 0.06), frame=g)
     m.begin('glass')
-    m.poly([g @ Vector(p) for p in ((-0.075, 0.03, 0.065), (0.075, 0.03, 0.065), (0.075, 0.08, 0.065), (-0.075, 0.08, 0.065))])
+    m.poly(
+        [
+            g @ Vector(p)
+            for p in ((-0.075, 0.03, 0.065), (0.075, 0.03, 0.065), (0.075, 0.08, 0.065), (-0.075, 0.08, 0.065))
+        ]
+    )
 
 
 def sights(m):
@@ -133,7 +183,6 @@ def sights(m):
     m.begin(smooth=20)
     x0, x1, z0, z1 = -0.98, -0.60, 0.18, 0.64
     shape = [(0.78, z1 + 0.02), (1.00, z1 - 0.03), (1.02, z1 - 0.06), (1.02, z0 + 0.06), (0.96, z0), (0.78, z0)]
-    from mesh import SIDE
     prism(m, shape, x0, x1, SIDE, (0.025, 0.025))
     m.begin('glass')
     a, b = Vector((0, 0.815, z1 + 0.0115 + 0.006)), Vector((0, 0.965, z1 - 0.0226 + 0.006))
@@ -147,13 +196,18 @@ def sights(m):
     lathe(m, [(0.19, 0.79), (0.19, 0.83), (0.15, 0.86), (0.115, 0.89), (0.115, 0.915)], 12, f)
     g = at(-0.10, 0, 0.20) @ turn('Y', -12)
     m.begin(smooth=20)
-    prism(m, rect(-0.13, -0.15, 0.14, 0.15, 0.045)[:], 0.905, 1.055, g @ TOP, (0, 0.025))
+    prism(m, rect(-0.13, -0.15, 0.14, 0.15, 0.045), 0.905, 1.055, g @ TOP, (0, 0.025))
     m.begin('glass')
-    m.poly([g @ Vector(p) for p in ((-0.085, 0.935, 0.145), (0.085, 0.935, 0.145), (0.085, 1.015, 0.145), (-0.085, 1.015, 0.145))])
+    m.poly(
+        [
+            g @ Vector(p)
+            for p in ((-0.085, 0.935, 0.145), (0.085, 0.935, 0.145), (0.085, 1.015, 0.145), (-0.085, 1.015, 0.145))
+        ]
+    )
 
 
 def roof(m):
-    m.begin(smooth=40)          # ventilator
+    m.begin(smooth=40)  # ventilator
     lathe(m, [(0.17, 0.79), (0.17, 0.83), (0.12, 0.86), (0.0, 0.868)], 10, at(0.02, 0, -1.35) @ UP)
     m.begin(smooth=20)
     slab(m, [(-0.30, ROOF, -2.02), (-0.30, ROOF, -1.62), (0.34, ROOF, -1.62), (0.34, ROOF, -2.02)], 0.022, 0.01)
@@ -171,29 +225,47 @@ def roof(m):
         m.begin('metal', 0.6, smooth=40)
         f = at(1.02, 0, -2.10) @ UP
         lathe(m, [(0.065, 0.79), (0.036, 0.86), (0.032, 0.99), (0.009, 1.06), (0.006, 2.75), (0.0, 2.76)], 5, f)
+
     m.both(lug)
     m.both(antenna)
-    m.begin('metal', 0.6)       # crosswind sensor
-    lathe(m, [(0.05, 0.79), (0.014, 0.86), (0.012, 1.14), (0.035, 1.15), (0.03, 1.22), (0.0, 1.23)], 5, at(-0.14, 0, -2.13) @ UP)
+    m.begin('metal', 0.6)  # crosswind sensor
+    lathe(
+        m,
+        [(0.05, 0.79), (0.014, 0.86), (0.012, 1.14), (0.035, 1.15), (0.03, 1.22), (0.0, 1.23)],
+        5,
+        at(-0.14, 0, -2.13) @ UP,
+    )
 
 
 def rack(m):
     m.begin('metal', 0.6, smooth=40)
     for y in (0.30, 0.50, 0.70):
         r = 0.014 if y == 0.50 else 0.018
-        tube(m, [(1.12, y, -2.10), (1.10, y, -2.64), (1.02, y, -2.72), (-1.02, y, -2.72), (-1.10, y, -2.64), (-1.12, y, -2.10)], r, 3 if y == 0.50 else 4, caps=False)
+        tube(
+            m,
+            [
+                (1.12, y, -2.10),
+                (1.10, y, -2.64),
+                (1.02, y, -2.72),
+                (-1.02, y, -2.72),
+                (-1.10, y, -2.64),
+                (-1.12, y, -2.10),
+            ],
+            r,
+            3 if y == 0.50 else 4,
+            caps=False,
+        )
     for x, z in ((1.10, -2.60), (0.55, -2.72), (0.0, -2.72), (-0.55, -2.72), (-1.10, -2.60)):
         tube(m, [(x, 0.285, z), (x, 0.715, z)], 0.015, 4, caps=False)
     m.begin('metal', 0.6)
     box(m, (-1.09, 0.285, -2.70), (1.09, 0.30, -2.02), 0.0, bottom=True)
     m.begin('canvas', 0.8, smooth=50)
-    across = at(0, 0, 0) @ turn('Y', 90)
     drum(m, 0.115, -0.95, 0.20, 9, at(0, 0.42, -2.56) @ turn('Y', 90), 0.03)
     drum(m, 0.10, -0.90, 0.05, 8, at(0, 0.40, -2.36) @ turn('Y', 90), 0.03)
     drum(m, 0.105, -0.78, 0.10, 8, at(0, 0.585, -2.45) @ turn('Y', 88), 0.03)
     m.begin('strap', 0.8)
     for x in (-0.70, -0.12):
-        drum(m, 0.121, x - 0.02, x + 0.02, 9, at(0, 0.42, -2.56) @ turn('Y', 90), 0.0, cap0=False, cap1=False)
+        drum(m, 0.121, x - 0.02, x + 0.02, 9, at(0, 0.42, -2.56) @ turn('Y', 90))
     m.begin('crate', 0.8, smooth=20)
     box(m, (0.28, 0.295, -2.66), (0.66, 0.60, -2.32), 0.02, cut=0.012)
     m.begin('canvas', 0.8, smooth=20)

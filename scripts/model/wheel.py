@@ -7,7 +7,7 @@ from frame import WHEEL_R
 from mesh import Mesh, turn
 from shapes import lathe
 
-RIM = 0.283      # where rubber ends and paint begins, for the texture
+RIM = 0.283  # where rubber ends and paint begins, for the texture
 
 
 def build():
@@ -16,16 +16,31 @@ def build():
     n = 12
     r = WHEEL_R
     m.begin('wheel', 1.0, smooth=40)
-    lathe(m, [(0.0, -0.19), (r, -0.25), (r, -0.06), (0.235, 0.0), (r, 0.06), (r, 0.232), (0.283, 0.25), (0.262, 0.192),
-              (0.10, 0.226)], n, f)
+    lathe(
+        m,
+        [
+            (0.0, -0.19),
+            (r, -0.25),
+            (r, -0.06),
+            (0.235, 0.0),
+            (r, 0.06),
+            (r, 0.232),
+            (0.283, 0.25),
+            (0.262, 0.192),
+            (0.10, 0.226),
+        ],
+        n,
+        f,
+    )
     m.begin('wheel', 1.2, smooth=40)
     lathe(m, [(0.122, 0.21), (0.104, 0.240), (0.0, 0.248)], 6, f)
-    for k in range(5):      # ribs, so that one sees it turn
+    for k in range(5):  # ribs, so that one sees it turn
         a = 2 * math.pi * (k + 0.25) / 5
         c, s = math.cos(a), math.sin(a)
 
         def on(rr, w, t):
             return f @ Vector((rr * c - w * s, rr * s + w * c, t))
+
         m.begin('wheel', 1.2, smooth=20)
         in0, in1 = on(0.085, -0.026, 0.236), on(0.085, 0.026, 0.236)
         out0, out1 = on(0.268, -0.018, 0.218), on(0.268, 0.018, 0.218)

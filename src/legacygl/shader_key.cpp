@@ -86,7 +86,7 @@ TransformLayout::TransformLayout(const ShaderKey& key)
     if (key.lighting && !key.eye_space)
         place(object_lights, 2 * key.light_count);
     if (key.points)
-        place(point_size, 1);
+        place(point, 2);
 }
 
 std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const

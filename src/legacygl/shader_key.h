@@ -89,7 +89,7 @@ struct TransformLayout
     int normal = -1;              ///< 3 rows of the inverse transpose
     int normal_scale = -1;        ///< x
     int object_lights = -1;       ///< direction and half vector for each light, in object coordinates
-    int point_size = -1;          ///< x
+    int point = -1;               ///< viewport x, y, width, height; then x: size
     int size = 4;
 };
 

@@ -204,6 +204,28 @@ std::string varyings(const ShaderKey& key, const char* direction)
     return text;
 }
 
+/// Puts a point's centre where OpenGL 1.5, 3.3.1, rounds it to, and drops it when that lies outside the
+/// clip volume: ES rasterises sprites, whose centres are not rounded.
+std::string point_text(const TransformLayout& layout)
+{
+    const std::string viewport = transform(layout.point), size = transform(layout.point + 1) + ".x";
+    return "    gl_PointSize = " + size + ";\n" +
+           "    vec3 limit = abs(gl_Position.xyz);\n"
+           "    if (max(limit.x, max(limit.y, limit.z)) > gl_Position.w) {\n"
+           "        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);\n"
+           "    } else {\n"
+           "        vec2 window = (gl_Position.xy / gl_Position.w * 0.5 + 0.5) * " +
+           viewport +
+           ".zw;\n"
+           "        window = mod(" +
+           size +
+           ", 2.0) == 1.0 ? floor(window) + 0.5 : floor(window + 0.5);\n"
+           "        gl_Position.xy = (window / " +
+           viewport +
+           ".zw * 2.0 - 1.0) * gl_Position.w;\n"
+           "    }\n";
+}
+
 std::string vertex_text(const ShaderKey& key)
 {
     const TransformLayout layout(key);
@@ -239,7 +261,7 @@ std::string vertex_text(const ShaderKey& key)
                                 : std::string("texture_coordinate")) +
             ";\n";
     if (key.points)
-        text += "    gl_PointSize = " + transform(layout.point_size) + ".x;\n";
+        text += point_text(layout);
     return text + "}\n";
 }
 

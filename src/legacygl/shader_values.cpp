@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace legacygl {
@@ -87,8 +88,12 @@ void fill_transform(const State& state, const ShaderKey& key, std::span<glm::vec
             out[at++] = glm::vec4(l.half_vector, 0);
         }
     }
-    if (layout.point_size >= 0)
-        out[layout.point_size] = glm::vec4(state.raster.point_size);
+    if (layout.point >= 0) {
+        const std::array<GLint, 4>& viewport = state.transform.viewport;
+        for (int i = 0; i < 4; ++i)
+            out[layout.point][i] = static_cast<float>(viewport[i]);
+        out[layout.point + 1] = glm::vec4(std::max(1.0f, std::floor(state.raster.point_size + 0.5f)));
+    }
 }
 
 void fill_lighting(const State& state, const ShaderKey& key, std::span<glm::vec4> out)

@@ -178,7 +178,7 @@ void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
             if (w < 0 || h < 0)
                 return gl.set_error(GL_INVALID_VALUE);
             gl.state.transform.viewport = {vx, vy, w, h};
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(Renderer::pipeline | Renderer::matrices); // Points are rounded within it.
         },
         x, y, width, height);
 }

@@ -1,0 +1,95 @@
+// Holds what legacygl drew (folder ORACLE_EMULATED) against what the system's OpenGL drew
+// (ORACLE_REFERENCE): the same bytes, or no channel off by more than 2 of 255, or the counted exception that
+// stands beside the scene. One test a scene.
+
+#include "scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace {
+
+std::string read(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    EXPECT_TRUE(file) << path << " was not drawn.";
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct Difference
+{
+    int pixels = 0;  ///< that differ at all
+    int visible = 0; ///< by more than 2
+    int greatest = 0;
+};
+
+Difference compare(const std::string& a, const std::string& b)
+{
+    Difference difference;
+    for (std::size_t pixel = 0; pixel + 4 <= a.size(); pixel += 4) {
+        int greatest = 0;
+        for (std::size_t i = pixel; i < pixel + 4; ++i)
+            greatest = std::max(
+                greatest, std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i])));
+        difference.pixels += greatest > 0;
+        difference.visible += greatest > 2;
+        difference.greatest = std::max(difference.greatest, greatest);
+    }
+    return difference;
+}
+
+bool shows_something(const std::string& rgba)
+{
+    for (std::size_t i = 4; i < rgba.size(); ++i)
+        if (rgba[i] != rgba[i % 4])
+            return true;
+    return false;
+}
+
+class SceneTest : public testing::Test
+{
+public:
+    explicit SceneTest(const oracle::Scene& scene) : scene_(scene) {}
+
+    void TestBody() override
+    {
+        const std::string emulated = read(ORACLE_EMULATED "/" + scene_.name + ".rgba");
+        const std::string reference = read(ORACLE_REFERENCE "/" + scene_.name + ".rgba");
+        ASSERT_EQ(emulated.size(), reference.size());
+        const std::string told = read(ORACLE_REFERENCE "/" + scene_.name + ".txt");
+        EXPECT_TRUE(shows_something(reference) || !told.empty())
+            << "The scene is empty and can hold nothing.";
+        const Difference difference = compare(emulated, reference);
+        RecordProperty("pixels_off", difference.pixels);
+        RecordProperty("greatest", difference.greatest);
+        if (difference.pixels != 0)
+            std::printf("%s: %d pixels differ, %d by more than 2, by %d at most\n", scene_.name.c_str(),
+                        difference.pixels, difference.visible, difference.greatest);
+        EXPECT_LE(difference.visible, scene_.exception.pixels) << scene_.exception.why;
+        if (scene_.exception.pixels != 0) {
+            EXPECT_GT(difference.visible, 0) << "The exception is not needed any more: remove it.";
+        }
+        EXPECT_EQ(read(ORACLE_EMULATED "/" + scene_.name + ".txt"), told);
+    }
+
+private:
+    const oracle::Scene& scene_;
+};
+
+} // namespace
+
+void oracle::tell(const std::string&) {}
+
+int main(int argc, char** argv)
+{
+    testing::InitGoogleTest(&argc, argv);
+    for (const oracle::Scene& scene : oracle::scenes())
+        testing::RegisterTest("Oracle", scene.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                              [&scene]() -> testing::Test* { return new SceneTest(scene); });
+    return RUN_ALL_TESTS();
+}

@@ -1,0 +1,62 @@
+// Draws every scene into a folder: <scene>.rgba (WIDTH × HEIGHT pixels of four bytes, the bottom row first)
+// and <scene>.txt (what the scene told and the error it left). Linked once with legacygl and once with the
+// system's OpenGL; compare_test then holds the two folders together.
+
+#include "platform/offscreen_target.h"
+#include "scene.h"
+
+#include <GL/gl.h>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+namespace {
+
+std::string told;
+
+void write(const std::string& path, const void* data, std::size_t size)
+{
+    std::ofstream(path, std::ios::binary).write(static_cast<const char*>(data), static_cast<long>(size));
+}
+
+} // namespace
+
+void oracle::tell(const std::string& line)
+{
+    told += line + "\n";
+}
+
+int main(int argc, char** argv)
+{
+    if (argc != 2 && argc != 3) {
+        std::fprintf(stderr, "usage: %s FOLDER [SCENE]\n", argv[0]);
+        return 2;
+    }
+    const std::string folder = argv[1];
+    std::string renderer = "nothing";
+    for (const oracle::Scene& scene : oracle::scenes()) {
+        if (argc == 3 && std::string(argv[2]) != scene.name)
+            continue;
+        std::string error;
+        const auto target = platform::open_offscreen_target(scene.size.width, scene.size.height, error);
+        if (!target) {
+            std::fprintf(stderr, "%s\n", error.c_str());
+            return 2;
+        }
+        told.clear();
+        renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+        glViewport(0, 0, scene.size.width, scene.size.height);
+        scene.draw();
+        for (GLenum code; (code = glGetError()) != GL_NO_ERROR;)
+            told += "left error " + std::to_string(code) + "\n";
+        std::vector<unsigned char> rgba(static_cast<std::size_t>(scene.size.width) * scene.size.height * 4);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, scene.size.width, scene.size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+        write(folder + "/" + scene.name + ".rgba", rgba.data(), rgba.size());
+        write(folder + "/" + scene.name + ".txt", told.data(), told.size());
+    }
+    std::printf("%zu scenes on %s\n", oracle::scenes().size(), renderer.c_str());
+    return 0;
+}

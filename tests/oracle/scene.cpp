@@ -1,0 +1,11 @@
+#include "scene.h"
+
+namespace oracle {
+
+std::vector<Scene>& scenes()
+{
+    static std::vector<Scene> all;
+    return all;
+}
+
+} // namespace oracle

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace oracle {
+
+/// How many pixels of a scene may differ from the system's OpenGL by more than 2 of 255, and why.
+/// Zero for all but counted, explained exceptions.
+struct Exception
+{
+    int pixels = 0;
+    const char* why = "";
+};
+
+/// The size of a picture in pixels.
+struct Size
+{
+    int width;
+    int height;
+};
+
+constexpr int WIDTH = 160;
+constexpr int HEIGHT = 120;
+
+/// A picture drawn by plain OpenGL 1.x calls: once through legacygl, once through the system's OpenGL.
+struct Scene
+{
+    std::string name;
+    std::function<void()> draw;
+    Exception exception;
+    Size size{WIDTH, HEIGHT};
+};
+
+/// All scenes, in the order they were registered.
+std::vector<Scene>& scenes();
+
+struct Registration
+{
+    Registration(const char* name, void (*draw)(), Exception exception = {})
+    {
+        scenes().push_back({name, draw, exception});
+    }
+};
+
+/// Says something a scene found out (a query's answer, an error); both sides must say the same.
+void tell(const std::string& line);
+
+} // namespace oracle
+
+/// Defines a scene; its body are the calls.
+#define SCENE(name, ...)                                                                                     \
+    static void name();                                                                                      \
+    static const oracle::Registration name##_registration(#name, name, ##__VA_ARGS__);                       \
+    static void name()

@@ -83,7 +83,7 @@ std::span<const std::string_view> texture_file_names()
 mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
 {
     // All names first: a missing file is said before time goes into reading the others.
-    std::array<const AssetFile*, std::size(MESH_FILES)> sources{};
+    std::array<std::span<const std::uint8_t>, std::size(MESH_FILES)> sources;
     std::vector<std::string> missing;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const std::vector<const AssetFile*> found = files_named(files, MESH_FILES[i].name);
@@ -93,22 +93,22 @@ mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
         if (found.empty()) {
             missing.emplace_back(MESH_FILES[i].name);
         } else {
-            sources[i] = found[0];
+            sources[i] = found[0]->bytes;
         }
     }
-    const AssetFile* texture_source = nullptr;
-    std::string_view texture_name;
+    std::string_view texture_name; // of the first one that is there
+    std::span<const std::uint8_t> texture_source;
     for (std::string_view name : TEXTURE_FILE_NAMES) {
         const std::vector<const AssetFile*> found = files_named(files, name);
         if (found.size() > 1) {
             return given_twice(name, found);
         }
-        if (!found.empty() && texture_source == nullptr) {
-            texture_source = found[0];
+        if (!found.empty() && texture_name.empty()) {
+            texture_source = found[0]->bytes;
             texture_name = name;
         }
     }
-    if (texture_source == nullptr) {
+    if (texture_name.empty()) {
         missing.push_back(std::string(TEXTURE_FILE_NAMES[0]) + " (or .jpg, .tga)");
     }
     if (!missing.empty()) {
@@ -118,14 +118,14 @@ mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
     Assets assets{.layout = tank::default_layout(), .high = {}, .low = {}, .texture = {}};
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const MeshFile& file = MESH_FILES[i];
-        mesh::Result<mesh::ObjMesh> mesh = mesh::read_obj(file.name, as_text(sources[i]->bytes));
+        mesh::Result<mesh::ObjMesh> mesh = mesh::read_obj(file.name, as_text(sources[i]));
         if (!mesh) {
             return mesh.error();
         }
         auto& meshes = file.level == Level::high ? assets.high : assets.low;
         meshes[tank::index_of(file.mesh)] = std::move(mesh.value());
     }
-    mesh::Result<mesh::Image> texture = mesh::read_image(texture_name, texture_source->bytes);
+    mesh::Result<mesh::Image> texture = mesh::read_image(texture_name, texture_source);
     if (!texture) {
         return texture.error();
     }

@@ -27,11 +27,12 @@ double grown(double value, double growth)
 double grown_times(double value, double growth, double times)
 {
     const double towards = times < 0.0 ? -growth : growth;
-    double left = std::min(std::fabs(times), MOST_RELATIVE_STEPS);
-    for (; left >= 1.0; left -= 1.0) {
+    const double size = std::min(std::fabs(times), MOST_RELATIVE_STEPS);
+    const int whole = static_cast<int>(size);
+    for (int i = 0; i < whole; ++i) {
         value = grown(value, towards);
     }
-    return grown(value, towards * left);
+    return grown(value, towards * (size - whole));
 }
 
 void add(State& state, const Move& move, double amount)

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "lod/threshold.h"
+
+#include <cstdint>
+
+namespace lod {
+
+/// Names the two models of the tank.
+enum class Level : std::uint8_t
+{
+    high,
+    low,
+};
+
+/// Says whether somebody has asked for one level whatever the distance.
+enum class Forced : std::uint8_t
+{
+    none,
+    high,
+    low,
+};
+
+/// Returns the level for a distance, in metres from the eye, when there is no level yet: low beyond the
+/// threshold, high at it, inside it, and for not-a-number.
+Level level_at(double distance, double threshold);
+
+/// Returns the level that follows `current` at a distance: low beyond the band, high inside it, the same
+/// within it and for not-a-number. So a crossing of the whole band, at any speed, with any trembling on the
+/// way, switches exactly once, and trembling within the band not at all.
+Level next_level(Level current, double distance, const SwitchBand& band);
+
+/// Remembers the level of one tank for one viewer. Plain data; it belongs to the viewer, not to a link: where
+/// a tank that came from afar is still low, one opened there by a link is high.
+struct LevelSelector
+{
+    Level level = Level::high; ///< by distance, also while another is forced
+
+    /// Forgets what was before, as when a link is opened.
+    void start(double distance, double threshold) { level = level_at(distance, threshold); }
+
+    /// Takes in the distance, in metres from the eye; call it once a step. Returns whether the level
+    /// switched.
+    bool update(double distance, const SwitchBand& band);
+
+    /// Returns the level to draw: the forced one or, by distance, the remembered one. Forcing forgets
+    /// nothing.
+    Level shown(Forced forced) const;
+
+    friend bool operator==(const LevelSelector&, const LevelSelector&) = default;
+};
+
+} // namespace lod

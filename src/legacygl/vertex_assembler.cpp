@@ -110,15 +110,15 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
         std::copy(from + head, from + old_floats, to + offset + wanted);
     };
 
-    std::array<float, MAXIMUM_VERTEX_FLOATS> widened_template{};
-    convert(template_.data(), widened_template.data());
-    template_ = widened_template;
-    if (batch_.vertex_count != 0) {
-        std::vector<float> widened(static_cast<std::size_t>(batch_.vertex_count) * floats_);
-        for (std::uint32_t v = 0; v < batch_.vertex_count; ++v)
-            convert(batch_.vertices.data() + static_cast<std::size_t>(v) * old_floats,
-                    widened.data() + static_cast<std::size_t>(v) * floats_);
-        batch_.vertices = std::move(widened);
+    std::array<float, MAXIMUM_VERTEX_FLOATS> widened{};
+    convert(template_.data(), widened.data());
+    template_ = widened;
+    // In place, from the last vertex to the first: each moves behind where it was.
+    if (batch_.vertices.size() < static_cast<std::size_t>(batch_.vertex_count) * floats_)
+        batch_.vertices.resize(static_cast<std::size_t>(batch_.vertex_count + 1) * floats_ * 2);
+    for (std::size_t v = batch_.vertex_count; v-- > 0;) {
+        convert(batch_.vertices.data() + v * old_floats, widened.data());
+        std::memcpy(batch_.vertices.data() + v * floats_, widened.data(), sizeof(float) * floats_);
     }
     for (int a = 0; a < ATTRIBUTE_COUNT; ++a)
         offsets_[a] = batch_.format.offset(static_cast<Attribute>(a));

@@ -1,0 +1,190 @@
+// Random command streams: what a list replays is what the same calls draw at once.
+
+#include "recorded_gl.h"
+
+#include <random>
+
+namespace {
+
+/// Calls GL at random, but the same for the same seed. May leave a primitive open; see close().
+class RandomCalls
+{
+public:
+    explicit RandomCalls(unsigned seed) : random_(seed) {}
+
+    void make(int count)
+    {
+        for (int i = 0; i < count; ++i)
+            one();
+    }
+    bool inside() const { return inside_; }
+
+private:
+    int pick(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+    float number() { return static_cast<float>(pick(9)) * 0.5f - 2; }
+
+    void one()
+    {
+        switch (pick(inside_ ? 12 : 16)) {
+        case 0:
+        case 1:
+        case 2:
+        case 3:
+            return vertex();
+        case 4:
+        case 5: {
+            const float r = number(), g = number(), b = number();
+            return pick(2) ? glColor3f(r, g, b) : glColor4f(r, g, b, 0.5f);
+        }
+        case 6: {
+            const float x = number(), y = number();
+            return glNormal3f(x, y, 1);
+        }
+        case 7: {
+            const float s = number(), t = number();
+            return pick(2) ? glTexCoord2f(s, t) : glTexCoord4f(s, t, 1, 2);
+        }
+        case 8:
+        case 9:
+        case 10:
+            return begin_or_end();
+        case 11:
+            return glEnable(GL_LIGHTING); // An error inside Begin/End.
+        case 12: {
+            const float x = number(), y = number();
+            return glTranslatef(x, y, 0);
+        }
+        case 13:
+            return pick(2) ? glEnable(GL_LIGHTING) : glDisable(GL_LIGHTING);
+        case 14:
+            return glShadeModel(pick(2) ? GL_FLAT : GL_SMOOTH);
+        default:
+            return pick(2) ? glPushMatrix() : glPopMatrix();
+        }
+    }
+
+    void vertex()
+    {
+        const float x = number(), y = number(), z = number();
+        switch (pick(3)) {
+        case 0:
+            return glVertex2f(x, y);
+        case 1:
+            return glVertex3f(x, y, z);
+        default:
+            return glVertex4f(x, y, z, 2);
+        }
+    }
+
+    void begin_or_end()
+    {
+        if (inside_)
+            glEnd();
+        else
+            glBegin(static_cast<GLenum>(pick(10)));
+        inside_ = !inside_;
+    }
+
+    std::mt19937 random_;
+    bool inside_ = false;
+};
+
+/// What a stream of calls amounts to.
+struct Outcome
+{
+    std::vector<Corner> corners;
+    legacygl::CurrentAttributes current;
+    GLenum error;
+    bool inside;
+};
+
+class RandomStreams : public RecordedGl
+{
+protected:
+    /// Starts from an OpenGL as new.
+    void renew()
+    {
+        auto made = std::make_unique<legacygl::RecordingBackend>();
+        backend = made.get();
+        context = std::make_unique<legacygl::Context>(std::move(made), 64, 48);
+        legacygl::current_context = context.get();
+        glColor4f(0.5f, 0.25f, 1, 0.75f);
+        glTexCoord3f(3, 4, 5);
+    }
+    Outcome outcome()
+    {
+        const bool inside = context->immediate.inside();
+        if (inside)
+            glEnd();
+        Outcome out{corners(), context->state.current, context->error, inside};
+        return out;
+    }
+};
+
+TEST_F(RandomStreams, ReplayedFromListsAreAsDrawnAtOnce)
+{
+    for (unsigned seed = 0; seed < 20000; ++seed) {
+        const int length = 1 + static_cast<int>(seed % 60);
+        renew();
+        RandomCalls(seed).make(length);
+        const Outcome direct = outcome();
+
+        // The same stream cut into two lists at a place that may lie inside a primitive.
+        renew();
+        RandomCalls calls(seed);
+        const int first = length / 3;
+        glNewList(1, GL_COMPILE);
+        calls.make(first);
+        glEndList();
+        glNewList(2, GL_COMPILE);
+        calls.make(length - first);
+        glEndList();
+        glCallList(1);
+        glCallList(2);
+        const Outcome replayed = outcome();
+
+        ASSERT_EQ(direct.corners.size(), replayed.corners.size()) << "seed " << seed;
+        for (std::size_t i = 0; i < direct.corners.size(); ++i)
+            ASSERT_EQ(direct.corners[i].position, replayed.corners[i].position) << "seed " << seed;
+        for (int a = 1; a < legacygl::ATTRIBUTE_COUNT; ++a)
+            ASSERT_EQ(direct.current[a], replayed.current[a]) << "seed " << seed << " attribute " << a;
+        ASSERT_EQ(direct.error, replayed.error) << "seed " << seed;
+        ASSERT_EQ(direct.inside, replayed.inside) << "seed " << seed;
+    }
+}
+
+TEST_F(RandomStreams, ReplayedFromListsHaveTheSameColours)
+{
+    // Unlit, so that the colour is sent for every corner on both sides.
+    for (unsigned seed = 0; seed < 5000; ++seed) {
+        const auto stream = [seed] {
+            std::mt19937 random(seed);
+            for (int primitive = 0; primitive < 4; ++primitive) {
+                if (random() % 2)
+                    glColor3f(static_cast<float>(random() % 4), 0, 1);
+                glBegin(static_cast<GLenum>(random() % 10));
+                for (unsigned i = random() % 9; i > 0; --i) {
+                    if (random() % 3 == 0)
+                        glColor4f(0, static_cast<float>(random() % 4), 0, 0.25f);
+                    glVertex2f(static_cast<float>(i), static_cast<float>(random() % 5));
+                }
+                glEnd();
+            }
+        };
+        renew();
+        stream();
+        const Outcome direct = outcome();
+        renew();
+        glNewList(1, GL_COMPILE);
+        stream();
+        glEndList();
+        glCallList(1);
+        const Outcome replayed = outcome();
+        ASSERT_EQ(direct.corners.size(), replayed.corners.size()) << "seed " << seed;
+        for (std::size_t i = 0; i < direct.corners.size(); ++i)
+            ASSERT_EQ(direct.corners[i].color, replayed.corners[i].color)
+                << "seed " << seed << " corner " << i;
+    }
+}
+
+} // namespace

@@ -42,7 +42,7 @@ def body():
             cap0=False,
         )
         # the track: what hangs out below the skirts, as a thick band
-        x0, x1 = TRACK_X - TRACK_W / 2, TRACK_X + TRACK_W / 2
+        x0, x1 = TRACK_X - TRACK_W / 2, TRACK_X + TRACK_W / 2 - 0.01  # not flush with the hull's side
         o = [
             (-3.12, 1.10),
             (-3.50, 0.86),

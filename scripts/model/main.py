@@ -19,11 +19,11 @@ import turret  # noqa: E402
 import wheel  # noqa: E402
 from mesh import unwrap  # noqa: E402
 
-QUALITY = 75
+QUALITY = 74
 
 
 def run(args):
-    rays = 8 if '--quick' in args else 40
+    rays = 8 if '--quick' in args else 72
     assets = os.path.join(HERE, '..', '..', 'assets')
     folder = os.path.join(assets, 'tankobjs')
     os.makedirs(folder, exist_ok=True)

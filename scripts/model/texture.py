@@ -156,7 +156,7 @@ def occlusion(layer, meshes, count):
         for t in texels:
             ao[t] = value
     # smooth within charts
-    for _ in range(3):
+    for _ in range(4):
         total, weight = ao.copy(), np.ones_like(ao)
         for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1)):
             same = np.roll(layer['chart'], (dy, dx), (0, 1)) == layer['chart']
@@ -328,8 +328,8 @@ def paint(layer, meshes, count, mats=MATS):
     tur, body = (mesh == 1) & is_('paint'), (mesh == 0) & is_('paint')
     for sign in (1, -1):
         on = tur & (n[:, 0] * sign > 0.5) & (sel['size'] > 0.05)
-        u = -(p[:, 2] - 0.525) if sign > 0 else p[:, 2] - 0.01
-        col = letter(on, u, p[:, 1] - 0.47, '327', 0.21)
+        u = -(p[:, 2] - 0.455) if sign > 0 else p[:, 2]
+        col = letter(on, u, p[:, 1] - 0.485, '327', 0.18)
     ahead = body & (n[:, 2] > 0.5) & (p[:, 1] < 1.02)
     behind = body & (n[:, 2] < -0.5)
     for on, u, v in ((ahead, p[:, 0], p[:, 1] - 0.93), (behind, -p[:, 0], p[:, 1] - 1.30)):

@@ -5,21 +5,14 @@
 namespace mesh {
 
 EarClipper::EarClipper(std::vector<glm::dvec2> points, long long& steps_left)
-    : points_(std::move(points)), remaining_(static_cast<int>(points_.size())), steps_left_(steps_left)
+    : points_(std::move(points)), reflex_(points_), remaining_(static_cast<int>(points_.size())),
+      steps_left_(steps_left)
 {
     corners_.reserve(points_.size());
     for (int i = 0; i < remaining_; ++i)
         corners_.push_back({(i + remaining_ - 1) % remaining_, (i + 1) % remaining_, true, false, false});
-    int reflex_count = 0;
-    for (int i = 0; i < remaining_; ++i) {
-        Corner& corner = corners_[i];
-        corner.convex = turn(points_[corner.previous], points_[i], points_[corner.next]) > 0;
-        reflex_count += corner.convex ? 0 : 1;
-    }
-    reflex_.reset(points_, reflex_count);
     for (int i = 0; i < remaining_; ++i)
-        if (!corners_[i].convex)
-            reflex_.insert(i);
+        classify(i);
     wait_all();
 }
 
@@ -52,8 +45,7 @@ void EarClipper::classify(int corner)
 {
     Corner& c = corners_[corner];
     c.convex = turn(points_[c.previous], points_[corner], points_[c.next]) > 0;
-    if (!c.convex)
-        reflex_.insert(corner); // a polygon that crosses itself can make a convex corner reflex
+    reflex_.mark(corner, !c.convex);
 }
 
 void EarClipper::wait(int corner)
@@ -91,8 +83,7 @@ bool EarClipper::is_ear(int corner, Contact allowed)
         const double ca = turn(c, a, p);
         return allowed == Contact::none ? ab >= 0 && bc >= 0 && ca >= 0 : ab > 0 && bc > 0 && ca > 0;
     };
-    const auto is_reflex = [&](int other) { return !corners_[other].clipped && !corners_[other].convex; };
-    return !reflex_.any_near_triangle({a, b, c}, is_reflex, is_in_the_way, steps_left_);
+    return !reflex_.any_near_triangle({a, b, c}, is_in_the_way, steps_left_);
 }
 
 /// Chooses what to clip when there is no clean ear: a corner on the line of its neighbours, whose triangle
@@ -104,6 +95,7 @@ int EarClipper::corner_to_force()
     int convex = -1;
     int corner = some_corner_;
     for (int i = 0; i < remaining_; ++i, corner = corners_[corner].next) {
+        --steps_left_;
         const Corner& c = corners_[corner];
         if (turn(points_[c.previous], points_[corner], points_[c.next]) == 0)
             return corner;
@@ -112,7 +104,6 @@ int EarClipper::corner_to_force()
         if (convex < 0 && c.convex)
             convex = corner;
     }
-    steps_left_ -= remaining_;
     return touching_ear >= 0 ? touching_ear : convex >= 0 ? convex : some_corner_;
 }
 
@@ -121,6 +112,7 @@ void EarClipper::clip_corner(int corner, std::vector<CornerTriangle>& triangles)
     Corner& c = corners_[corner];
     triangles.push_back({c.previous, corner, c.next});
     c.clipped = true;
+    reflex_.mark(corner, false);
     corners_[c.previous].next = c.next;
     corners_[c.next].previous = c.previous;
     some_corner_ = c.next;

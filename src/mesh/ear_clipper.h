@@ -1,19 +1,12 @@
 #pragma once
 
-#include "mesh/point_grid.h"
+#include "mesh/point_tree.h"
 #include "mesh/polygon.h"
 
 #include <glm/vec2.hpp>
 #include <vector>
 
 namespace mesh {
-
-/// Returns twice the signed area of triangle abc: positive when it turns anticlockwise.
-/// Exact for coordinates that are floats of similar size, since the products fit a double.
-inline double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 /// Cuts one flat polygon by clipping ears: corners whose two neighbours see each other through the polygon.
 /// Corners wait in a queue. One that is no ear becomes one only when a neighbour is clipped (or, where the
@@ -55,7 +48,7 @@ private:
     std::vector<Corner> corners_;
     std::vector<int> queue_; ///< corners to look at, from queue_front_ on
     std::size_t queue_front_ = 0;
-    PointGrid reflex_;    ///< the corners that are not convex, and some that were not
+    PointTree reflex_;    ///< marked: the corners left that are not convex; only they can be in an ear's way
     int some_corner_ = 0; ///< one that is not clipped
     int remaining_ = 0;
     long long& steps_left_;

@@ -1,5 +1,7 @@
 #include "mesh/image_data_check.h"
 
+#include "mesh/jpeg_check.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -66,42 +68,28 @@ std::string check_tga(std::span<const std::uint8_t> bytes, long long pixels)
     return end > bytes.size() ? cut_short : "";
 }
 
-/// A scan costs at least one bit for each block of 64 pixels, so a byte gives at most 512 pixels; and each
-/// scan goes over all of them. Real files have at most a dozen scans and 350 pixels a byte.
-std::string check_jpeg(std::span<const std::uint8_t> bytes, long long pixels)
-{
-    constexpr long long most_pixels_per_byte = 1024;
-    constexpr long long most_pixels_in_scans = 1LL << 30;
-    if (pixels > most_pixels_per_byte * static_cast<long long>(bytes.size()))
-        return cut_short;
-    long long scans = 0;
-    for (std::size_t i = 0; i + 1 < bytes.size(); ++i)
-        scans += bytes[i] == 0xFF && bytes[i + 1] == 0xDA ? 1 : 0;
-    if (scans * pixels > most_pixels_in_scans && scans > 1)
-        return "the JPEG image has " + std::to_string(scans) +
-               " scans, too many for its size; save it again as PNG";
-    return {};
-}
-
 } // namespace
 
 ImageFormat image_format(std::span<const std::uint8_t> bytes)
 {
     static constexpr std::array<std::uint8_t, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    static constexpr std::array<std::uint8_t, 2> jpeg = {0xFF, 0xD8};
-    const auto starts_with = [&](const auto& signature) {
-        return bytes.size() >= signature.size() &&
-               std::equal(signature.begin(), signature.end(), bytes.begin());
-    };
-    if (starts_with(png))
+    if (bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin()))
         return ImageFormat::png;
-    return starts_with(jpeg) ? ImageFormat::jpeg : ImageFormat::tga_or_unknown;
+    const auto not_fill =
+        std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte != 0xFF; });
+    const bool is_jpeg = not_fill != bytes.begin() && not_fill != bytes.end() && *not_fill == 0xD8;
+    return is_jpeg ? ImageFormat::jpeg : ImageFormat::tga_or_unknown;
+}
+
+std::string check_image_before_header(ImageFormat format, std::span<const std::uint8_t> bytes)
+{
+    return format == ImageFormat::jpeg ? check_jpeg_tables(bytes) : "";
 }
 
 std::string check_image_data(ImageFormat format, std::span<const std::uint8_t> bytes, long long pixels)
 {
     if (format == ImageFormat::jpeg)
-        return check_jpeg(bytes, pixels);
+        return check_jpeg_size(bytes, pixels);
     return format == ImageFormat::tga_or_unknown ? check_tga(bytes, pixels) : "";
 }
 

@@ -169,8 +169,9 @@ private:
         for (const FaceVertex& corner : corners_)
             outline_.push_back(mesh_.positions[corner.position]);
         if (!triangulate_polygon(outline_, triangles_, polygon_steps_left_))
-            return "the outline of this face crosses or touches itself too often to be cut into triangles; "
-                   "triangulate it in the modelling program";
+            return "the outline of this face is too intricate to be cut into triangles; triangulate it in "
+                   "the "
+                   "modelling program";
         polygons_.push_back(
             {static_cast<int>(mesh_.faces.size()), static_cast<int>(triangles_.size()), smoothing_group_});
         for (const CornerTriangle& t : triangles_)

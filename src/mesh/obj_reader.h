@@ -18,9 +18,9 @@ inline constexpr std::size_t max_obj_triangles = 2'000'000;
 /// The longest line, in bytes. A face of 20,000 vertices fits several times over.
 inline constexpr std::size_t max_obj_line_bytes = std::size_t{1} << 20;
 
-/// How many steps cutting the concave polygons of one text may take: about a second's work.
+/// How many steps cutting the concave polygons of one text may take: a second or two of work.
 /// Polygons that do not cross themselves need a few dozen steps a vertex.
-inline constexpr long long max_polygon_steps = 1LL << 28;
+inline constexpr long long max_polygon_steps = 1LL << 26;
 
 /// Reads the faces of an OBJ text and what they are made of.
 ///
@@ -39,7 +39,7 @@ inline constexpr long long max_polygon_steps = 1LL << 28;
 /// Every float of the result is finite and every index is within its array. `file_name` is used in errors
 /// only. Errors (line, cause): no text, not a text, too long, no faces, too few or too many or malformed
 /// numbers, a number outside float's range, an index that names nothing, a face of fewer than three vertices
-/// or of mixed forms, too many triangles, polygons too entangled to be cut.
+/// or of mixed forms, too many triangles, outlines too intricate to be cut.
 Result<ObjMesh> read_obj(std::string_view file_name, std::string_view text);
 
 } // namespace mesh

@@ -242,7 +242,7 @@ TEST(TriangulatePolygon, CutsRandomOutlinesOfCells)
         longest = std::max(longest, outline.size());
         expect_well_cut(flat(outline));
     }
-    EXPECT_GT(longest, 200U); // the generator does grow something
+    EXPECT_GT(longest, 100U); // the generator does grow something
 }
 
 TEST(TriangulatePolygon, CutsAnyPolygonWithoutAreaSomehow)
@@ -275,7 +275,8 @@ TEST(TriangulatePolygon, CutsAnyPolygonThatCrossesItselfSomehow)
 // Large polygons: the work must not grow with the square of the number of corners.
 
 constexpr int many = 20'000;
-constexpr long long steps_a_corner = 300; // about sqrt(many) + what the cells cost; squared would be 20,000
+constexpr long long steps_a_corner =
+    150; // some searches of 13 levels; a corner compared with all others takes 20,000
 
 TEST(TriangulatePolygon, CutsALargeRegularPolygonInGoodTime)
 {

@@ -1,6 +1,6 @@
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
-pkg_check_modules(OPENGL REQUIRED IMPORTED_TARGET gl glu)
+pkg_check_modules(EGL REQUIRED IMPORTED_TARGET GLOBAL egl)
+pkg_check_modules(OPENGL REQUIRED IMPORTED_TARGET GLOBAL gl glu)
 find_package(SDL2 REQUIRED)
 
 add_library(platform_files STATIC asset_files.cpp link_argument.cpp png_file.cpp)
@@ -9,13 +9,16 @@ target_include_directories(platform_files SYSTEM PRIVATE ${STB_INCLUDE_DIR})
 
 # tanklab-render and tanklab-render-reference: one source, two libraries that define the same gl* symbols.
 # The emulated one links no OpenGL of the system, so that a function legacygl lacks is a link error.
-function(add_render_program name target_source gl_library)
-  add_executable(${name} render_main.cpp render_options.cpp egl_context.cpp ${target_source})
-  target_link_libraries(${name} PRIVATE platform_files scene ${gl_library} PkgConfig::EGL)
+function(add_render_program name renderer gl_library)
+  add_library(platform_offscreen_${renderer} STATIC egl_context.cpp offscreen_target_${renderer}.cpp)
+  target_include_directories(platform_offscreen_${renderer} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(platform_offscreen_${renderer} PUBLIC ${gl_library} PkgConfig::EGL)
+  add_executable(${name} render_main.cpp render_options.cpp)
+  target_link_libraries(${name} PRIVATE platform_files scene platform_offscreen_${renderer})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 endfunction()
-add_render_program(tanklab-render-reference offscreen_target_reference.cpp PkgConfig::OPENGL)
-add_render_program(tanklab-render offscreen_target_emulated.cpp legacygl)
+add_render_program(tanklab-render-reference reference PkgConfig::OPENGL)
+add_render_program(tanklab-render emulated legacygl)
 
 add_library(platform_program STATIC input.cpp program.cpp)
 target_link_libraries(platform_program PUBLIC app scene SDL2::SDL2)
@@ -23,3 +26,7 @@ target_link_libraries(platform_program PUBLIC app scene SDL2::SDL2)
 add_executable(tanklab window_main.cpp window_options.cpp)
 target_link_libraries(tanklab PRIVATE platform_program platform_files scene legacygl)
 set_target_properties(tanklab PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+
+add_library(platform_checks STATIC
+  check_assembly.cpp check_display_lists.cpp check_draw_obj.cpp check_joints.cpp checks.cpp frame_capture.cpp)
+target_link_libraries(platform_checks PUBLIC app scene legacygl)

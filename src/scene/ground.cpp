@@ -30,7 +30,7 @@ void earth_vertex(const EarthRing& ring, int sector)
                static_cast<float>(ring.radius * std::cos(around)));
 }
 
-constexpr int GRID_SEGMENT_LINES = 2; // a segment crosses so many; short enough for the fade to look round
+constexpr int GRID_SEGMENT_LINES = 4; // a segment crosses so many; short enough for the fade to look round
 
 /// Draws one end of a segment, fainter the further it is from the middle. x, z, reach: metres.
 void grid_vertex(int x, int z, int reach)

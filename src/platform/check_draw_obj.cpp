@@ -1,0 +1,108 @@
+#include "platform/lab_1_checks.h"
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+
+namespace platform {
+namespace {
+
+constexpr double TRIANGLES = 4.0; // GL_TRIANGLES; <GL/gl.h> is scene's alone
+constexpr std::string_view MESH_NAMES[] = {"body", "turret", "main gun", "secondary gun", "wheel"};
+
+/// Compares what a list drew with the mesh, one call after the other.
+class Comparison
+{
+public:
+    explicit Comparison(const mesh::ObjMesh& obj) : obj_(obj) {}
+
+    void take(const LegacyGLCall& call)
+    {
+        const std::string_view name = call.name;
+        if (name == "glBegin") {
+            only_triangles_ = only_triangles_ && call.arguments[0] == TRIANGLES;
+        } else if (name.starts_with("glNormal")) {
+            normal_ = {call.arguments[0], call.arguments[1], call.arguments[2]};
+        } else if (name.starts_with("glTexCoord")) {
+            texture_coordinate_ = {call.arguments[0], call.arguments[1]};
+        } else if (name.starts_with("glVertex")) {
+            take_corner({call.arguments[0], call.arguments[1], call.arguments[2]});
+        }
+    }
+
+    bool only_triangles() const { return only_triangles_; }
+    std::size_t corners() const { return corners_; }
+    std::size_t wrong_corners() const { return wrong_corners_; }
+
+private:
+    void take_corner(const glm::dvec3& position)
+    {
+        const std::size_t corner = corners_++;
+        if (corner / 3 >= obj_.faces.size()) {
+            return; // too many, which the count shows
+        }
+        const mesh::FaceVertex& wanted = obj_.faces[corner / 3].vertices[corner % 3];
+        const bool textured = wanted.texture_coordinate >= 0;
+        const glm::dvec2 texture_coordinate =
+            textured
+                ? glm::dvec2(obj_.texture_coordinates[static_cast<std::size_t>(wanted.texture_coordinate)])
+                : glm::dvec2(0.0);
+        const bool right =
+            position == glm::dvec3(obj_.positions[static_cast<std::size_t>(wanted.position)]) &&
+            normal_ == glm::dvec3(obj_.normals[static_cast<std::size_t>(wanted.normal)]) &&
+            texture_coordinate_ == texture_coordinate;
+        wrong_corners_ += right ? 0u : 1u;
+    }
+
+    const mesh::ObjMesh& obj_;
+    bool only_triangles_ = true;
+    std::size_t corners_ = 0;
+    std::size_t wrong_corners_ = 0;
+    glm::dvec3 normal_{0.0};
+    glm::dvec2 texture_coordinate_{0.0};
+};
+
+void check_mesh(const CheckSubject& subject, const FrameCapture& capture, std::size_t call,
+                Evidence& evidence)
+{
+    const std::size_t mesh = tank::index_of(capture.tank_list_calls[call].mesh);
+    const mesh::ObjMesh& obj = subject.assets.high[mesh];
+    Comparison comparison(obj);
+    for (const LegacyGLCall& of_list : capture.calls_of_list(call)) {
+        comparison.take(of_list);
+    }
+    const std::string name(MESH_NAMES[mesh]);
+    const std::string faces = std::to_string(obj.faces.size());
+    evidence.require(comparison.only_triangles() && comparison.corners() == obj.faces.size() * 3 &&
+                         comparison.wrong_corners() == 0,
+                     "The list of the " + name + " gives the three corners of its " + faces +
+                         " faces within glBegin(GL_TRIANGLES), each with the position, normal and texture "
+                         "coordinate that its three indices name.",
+                     "The list of the " + name + " gives " + std::to_string(comparison.corners()) +
+                         " corners for its " + faces + " faces, " +
+                         std::to_string(comparison.wrong_corners()) + " of them not what their indices name" +
+                         (comparison.only_triangles() ? "." : ", and not all as GL_TRIANGLES."));
+}
+
+} // namespace
+
+void check_draw_obj(const CheckSubject& subject, Evidence& evidence)
+{
+    const FrameCapture capture = capture_frame(subject, app::State{});
+    for (std::size_t mesh = 0; mesh < tank::MESH_KIND_COUNT; ++mesh) {
+        std::size_t call = 0;
+        while (call < capture.tank_list_calls.size() &&
+               tank::index_of(capture.tank_list_calls[call].mesh) != mesh) {
+            ++call;
+        }
+        if (call == capture.tank_list_calls.size()) {
+            evidence.require(false, "", "No list draws the " + std::string(MESH_NAMES[mesh]) + ".");
+        } else {
+            check_mesh(subject, capture, call, evidence);
+        }
+    }
+}
+
+} // namespace platform

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "platform/frame_capture.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace platform {
+
+/// What the check of one of the lab's tasks found.
+struct CheckResult
+{
+    bool passed;
+    std::vector<std::string> evidence; ///< sentences for people, at least one
+};
+
+/// Checks a task of the lab, such as "1.2": does with states of its own, by the program's commands, what a
+/// person would do, and judges the calls that drawing them made.
+/// Draws over the target; what it showed has to be drawn again.
+/// Returns nothing for an id that has no check. Precondition: legacygl has a current context.
+std::optional<CheckResult> run_check(std::string_view id, const CheckSubject& subject);
+
+} // namespace platform

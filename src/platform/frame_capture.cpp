@@ -1,0 +1,136 @@
+#include "platform/frame_capture.h"
+
+#include "app/frame.h"
+#include "tank/part_matrices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <string_view>
+
+namespace platform {
+namespace {
+
+glm::mat4 modelview_of(const LegacyGLCall& call)
+{
+    glm::mat4 matrix;
+    std::copy(std::begin(call.modelview), std::end(call.modelview), &matrix[0][0]);
+    return matrix;
+}
+
+std::optional<tank::MeshKind> mesh_of(const scene::TankLists& lists, unsigned list)
+{
+    for (std::size_t i = 0; i < tank::MESH_KIND_COUNT; ++i) {
+        const auto mesh = static_cast<tank::MeshKind>(i);
+        if (list != 0 && lists.list(mesh) == list) {
+            return mesh;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Fills in what follows from the calls.
+void digest(FrameCapture& capture, const scene::TankLists& lists)
+{
+    std::vector<int> scopes;
+    int pushes = 0;
+    capture.matrix_stack_balanced = true;
+    for (std::size_t i = 0; i < capture.calls.size(); ++i) {
+        const LegacyGLCall& call = capture.calls[i];
+        const std::string_view name = call.name;
+        if (call.list_depth != 0) {
+            continue;
+        }
+        if (name == "glPushMatrix") {
+            scopes.push_back(pushes++);
+        } else if (name == "glPopMatrix") {
+            if (scopes.empty()) {
+                capture.matrix_stack_balanced = false;
+            } else {
+                scopes.pop_back();
+            }
+        } else if (name == "glCallList") {
+            const auto list = static_cast<unsigned>(call.arguments[0]);
+            if (const std::optional<tank::MeshKind> mesh = mesh_of(lists, list)) {
+                capture.tank_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i});
+            }
+        }
+    }
+    capture.matrix_stack_balanced = capture.matrix_stack_balanced && scopes.empty();
+}
+
+bool nearly_equal(const glm::mat4& a, const glm::mat4& b, float tolerance)
+{
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            // Written so that a NaN is not equal.
+            if (!(std::fabs(a[column][row] - b[column][row]) <= tolerance)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+bool TankListCall::stands_within(int scope) const
+{
+    return std::find(scopes.begin(), scopes.end(), scope) != scopes.end();
+}
+
+std::span<const LegacyGLCall> FrameCapture::calls_of_list(std::size_t i) const
+{
+    const std::size_t first = tank_list_calls[i].index + 1;
+    std::size_t end = first;
+    while (end < calls.size() && calls[end].list_depth > 0) {
+        ++end;
+    }
+    return calls.subspan(first, end - first);
+}
+
+FrameCapture capture_frame(const CheckSubject& subject, const app::State& state)
+{
+    LegacyGLContext* context = legacygl_current();
+    legacygl_capture_begin(context);
+    subject.renderer.draw(app::make_frame(state, subject.assets), subject.width, subject.height);
+    std::size_t count = 0;
+    const LegacyGLCall* calls = legacygl_capture_end(context, &count);
+    FrameCapture capture{};
+    capture.calls = {calls, count};
+    digest(capture, subject.renderer.tank_lists());
+    return capture;
+}
+
+PartCalls find_part_calls(const CheckSubject& subject, const FrameCapture& capture, const app::State& state,
+                          float tolerance)
+{
+    const app::Frame frame = app::make_frame(state, subject.assets);
+    const app::TankInFrame& tank = frame.tanks[0];
+    const glm::dmat4 view = glm::lookAt(frame.camera.eye, frame.camera.centre, frame.camera.up);
+    const tank::PartMatrices matrices =
+        tank::part_matrices(subject.assets.layout, {tank.position}, tank.joints);
+    std::vector<bool> taken(capture.tank_list_calls.size(), false);
+    PartCalls found{};
+    for (tank::Part part : tank::ALL_PARTS) {
+        const glm::mat4 expected(view * glm::dmat4(matrices.mesh(part)));
+        for (std::size_t i = 0; i < capture.tank_list_calls.size(); ++i) {
+            const TankListCall& call = capture.tank_list_calls[i];
+            if (!taken[i] && call.mesh == subject.assets.layout[part].mesh &&
+                nearly_equal(call.modelview, expected, tolerance)) {
+                taken[i] = true;
+                found[tank::index_of(part)] = i;
+                break;
+            }
+        }
+    }
+    return found;
+}
+
+std::size_t found_count(const PartCalls& calls)
+{
+    return static_cast<std::size_t>(
+        std::count_if(calls.begin(), calls.end(), [](const auto& call) { return call.has_value(); }));
+}
+
+} // namespace platform

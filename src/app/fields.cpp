@@ -132,13 +132,13 @@ std::array<Field, FIELD_COUNT> make_fields()
                     {.minimum = 0.0, .maximum = from_degrees(89.0), .initial = 1500},
                     in_camera<&Camera::tilt>()),
         plain_field(distance, "distance", "Distance", Group::camera, METRES,
-                    {.minimum = 4.0, .maximum = 400.0, .initial = 11500}, in_camera<&Camera::distance>()),
+                    {.minimum = 4.0, .maximum = 400.0, .initial = 10500}, in_camera<&Camera::distance>()),
         plain_field(look_x, "look_x", "Look at x", Group::camera, METRES, beside,
                     in_camera_look<&glm::dvec3::x>()),
         plain_field(look_y, "look_y", "Look at y", Group::camera, METRES,
-                    {.minimum = 0.1, .maximum = 10.0, .initial = 1350}, in_camera_look<&glm::dvec3::y>()),
+                    {.minimum = 0.1, .maximum = 10.0, .initial = 1450}, in_camera_look<&glm::dvec3::y>()),
         plain_field(look_z, "look_z", "Look at z", Group::camera, METRES,
-                    {.minimum = -20.0, .maximum = 20.0, .initial = 1300}, in_camera_look<&glm::dvec3::z>()),
+                    {.minimum = -20.0, .maximum = 20.0, .initial = 1400}, in_camera_look<&glm::dvec3::z>()),
         choice_field(ground, "ground", "Ground", Group::camera, OFF_ON, 1, IN_GROUND),
     }};
 }

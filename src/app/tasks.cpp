@@ -14,7 +14,7 @@ constexpr Task TASKS[] = {
          "guns go "
          "along, the wheels do not.",
      .commands = {"turn_left", "turn_right", "turret_left", "turret_right"},
-     .link = "turret=40&gun=6&secondary_gun=-30&orbit=50&tilt=22",
+     .link = "turret=40&gun=6&secondary_gun=-30&orbit=-25&tilt=22&distance=12&look_x=1&look_y=1.2&look_z=0.5",
      .source = "src/scene/draw_tank.cpp"},
     {.kind = TaskKind::task,
      .id = "1.2",
@@ -24,7 +24,7 @@ constexpr Task TASKS[] = {
              "their limits; the turret and the wheels go all the way round.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "secondary_gun_left",
                   "secondary_gun_right", "wheels_forward", "wheels_backward"},
-     .link = "orbit=60&tilt=14",
+     .link = "orbit=62&tilt=12",
      .source = "src/app/commands.cpp"},
     {.kind = TaskKind::task,
      .id = "1.3",
@@ -42,7 +42,7 @@ constexpr Task TASKS[] = {
              "normal and "
              "texture coordinate. Come close and look at the edges and the paint.",
      .commands = {"orbit_left", "orbit_right", "zoom_in", "zoom_out"},
-     .link = "orbit=30&tilt=20&distance=7&look_y=1.7&look_z=0.6",
+     .link = "orbit=30&tilt=24&distance=7.5&look_y=1.4&look_z=1",
      .source = "src/scene/draw_obj.cpp"},
 };
 

@@ -1,0 +1,210 @@
+#include "particles/contact.h"
+
+#include "particles/flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace particles {
+
+namespace {
+
+/// Nearer than this, in metres, a wall is touched: a little more than what rounding to float does nearby.
+constexpr double touching_distance = 1e-6;
+
+/// Slower than this, in m/s, nothing leaves a wall: more than what rounding leaves of a speed taken away.
+constexpr double slowest_leaving = 1e-9;
+
+double distance_to(const Wall& wall, const glm::dvec3& position)
+{
+    return glm::dot(wall.normal, position) - wall.offset;
+}
+
+bool is_touched(const Wall& wall, const glm::dvec3& position)
+{
+    return distance_to(wall, position) <= touching_distance;
+}
+
+void put_inside(glm::dvec3& position, std::span<const Wall> walls)
+{
+    for (const Wall& wall : walls) {
+        const double distance = distance_to(wall, position);
+        if (distance < 0.0) {
+            position -= wall.normal * distance;
+        }
+    }
+}
+
+void bounce(glm::dvec3& velocity, const Wall& wall, double speed_towards)
+{
+    const double speed_away = speed_towards * wall.restitution;
+    const bool rests = speed_away <= slowest_bounce;
+    const double turned = speed_towards + (rests ? 0.0 : speed_away);
+    glm::dvec3 along = velocity + wall.normal * speed_towards;
+    const double speed_along = glm::length(along);
+    const double lost = wall.friction * turned;
+    along = lost < speed_along ? along * (1.0 - lost / speed_along) : glm::dvec3{0.0};
+    velocity = rests ? along : along + wall.normal * speed_away;
+}
+
+/// Lets the particle react to the walls it touches and is moving or pressed towards.
+Fate touch_walls(Motion& motion, const glm::dvec3& acceleration, std::span<const Wall> walls)
+{
+    for (const Wall& wall : walls) {
+        if (!is_touched(wall, motion.position)) {
+            continue;
+        }
+        const double speed = glm::dot(wall.normal, motion.velocity);
+        const bool is_pressed = speed <= slowest_leaving && glm::dot(wall.normal, acceleration) < 0.0;
+        if (speed >= 0.0 && !is_pressed) {
+            continue;
+        }
+        switch (wall.response) {
+        case ContactResponse::recycle:
+            return Fate::is_recycled;
+        case ContactResponse::stick:
+            motion.velocity = glm::dvec3{0.0};
+            return Fate::sticks;
+        case ContactResponse::bounce:
+            if (speed < 0.0) {
+                bounce(motion.velocity, wall, -speed);
+            }
+            break;
+        }
+    }
+    return Fate::moves;
+}
+
+/// What pushes a particle that may rest on walls, and how long that holds.
+struct Push
+{
+    glm::dvec3 acceleration{0.0};
+    bool holds_still = false; ///< friction keeps it where it is
+    double stops_after;       ///< seconds until it has slid to a stop
+    glm::dvec3 sliding{0.0};  ///< the direction in which it does, length 1
+};
+
+constexpr double never = 1e300;
+
+/// Walls that a particle rests on take away what presses it against them and add their friction.
+Push push_of(const Motion& motion, const Forces& forces, std::span<const Wall> walls)
+{
+    Push push{.acceleration = forces.acceleration, .stops_after = never};
+    double friction = 0.0;
+    for (const Wall& wall : walls) {
+        const double away = glm::dot(wall.normal, push.acceleration);
+        if (away < 0.0 && is_touched(wall, motion.position) &&
+            glm::dot(wall.normal, motion.velocity) <= slowest_leaving) {
+            push.acceleration -= wall.normal * away;
+            friction -= wall.friction * away;
+        }
+    }
+    if (friction == 0.0) {
+        return push;
+    }
+    const double speed = glm::length(motion.velocity);
+    const double pull = glm::length(push.acceleration);
+    if (speed <= slowest_leaving && pull <= friction) {
+        push.holds_still = true;
+        return push;
+    }
+    push.sliding = speed > slowest_leaving ? motion.velocity / speed : push.acceleration / pull;
+    push.acceleration -= push.sliding * friction;
+    const double slowing = -glm::dot(push.sliding, push.acceleration);
+    if (speed > slowest_leaving && slowing > 0.0) {
+        push.stops_after =
+            time_of_reach(forces.air_resistance, speed / (forces.air_resistance * speed + slowing));
+    }
+    return push;
+}
+
+double time_to_next_wall(const Motion& motion, const glm::dvec3& acceleration, double air_resistance,
+                         std::span<const Wall> walls, double limit)
+{
+    for (const Wall& wall : walls) {
+        const double distance = std::max(0.0, distance_to(wall, motion.position));
+        const double speed = glm::dot(wall.normal, motion.velocity);
+        if (distance <= touching_distance && speed <= slowest_leaving) {
+            if (speed < -slowest_leaving) {
+                return 0.0; // another wall has just sent it here
+            }
+            continue; // rests on it, slides along it or is lifted off it
+        }
+        const auto time =
+            time_of_contact(distance, speed, glm::dot(wall.normal, acceleration), air_resistance, limit);
+        limit = time.value_or(limit);
+    }
+    return limit;
+}
+
+} // namespace
+
+std::optional<double> time_of_contact(double distance, double speed, double acceleration,
+                                      double air_resistance, double limit)
+{
+    const auto height = [=](const Flight& f) { return distance + speed * f.reach + acceleration * f.fall; };
+    const auto slope = [=](const Flight& f) { return speed * f.keep + acceleration * f.reach; };
+
+    // The second derivative of the height is (acceleration - air_resistance * speed) * keep: of one sign.
+    const double bend = acceleration - air_resistance * speed;
+    const Flight whole = flight(air_resistance, limit);
+    if (height(whole) >= 0.0) {
+        // Only one that came near and turned round can have touched in between.
+        if (bend <= 0.0 || speed >= 0.0 || slope(whole) <= 0.0) {
+            return std::nullopt;
+        }
+        const double turn = time_of_reach(air_resistance, -speed / bend);
+        if (height(flight(air_resistance, turn)) >= 0.0) {
+            return std::nullopt;
+        }
+    }
+    // Newton's method, from the side where the curve lies between its tangents and the axis: a bend away from
+    // the plane is approached from its beginning, one towards it from the end. The times only go one way.
+    constexpr int most_steps = 100;
+    double time = bend > 0.0 ? 0.0 : limit;
+    for (int i = 0; i < most_steps; ++i) {
+        const Flight so_far = flight(air_resistance, time);
+        const double next = std::clamp(time - height(so_far) / slope(so_far), 0.0, limit);
+        if (!(bend > 0.0 ? next > time : next < time)) {
+            break;
+        }
+        time = next;
+    }
+    return time;
+}
+
+Wall wall_of(const CollisionPlane& plane)
+{
+    const glm::dvec3 normal = glm::dvec3{plane.normal} / glm::length(glm::dvec3{plane.normal});
+    return {normal, glm::dot(normal, glm::dvec3{plane.point}), static_cast<double>(plane.restitution),
+            static_cast<double>(plane.friction), plane.response};
+}
+
+Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall> walls, double seconds)
+{
+    for (int contact = 0;; ++contact) {
+        put_inside(motion.position, walls);
+        const Fate fate = touch_walls(motion, forces.acceleration, walls);
+        if (fate != Fate::moves || seconds <= 0.0 || contact == most_contacts) {
+            return fate;
+        }
+        const Push push = push_of(motion, forces, walls);
+        if (push.holds_still) {
+            motion.velocity = glm::dvec3{0.0};
+            return Fate::moves;
+        }
+        const double until_stop = std::min(seconds, push.stops_after);
+        const double time =
+            time_to_next_wall(motion, push.acceleration, forces.air_resistance, walls, until_stop);
+        const Flight part = flight(forces.air_resistance, time);
+        motion.position += motion.velocity * part.reach + push.acceleration * part.fall;
+        motion.velocity = motion.velocity * part.keep + push.acceleration * part.reach;
+        if (time == push.stops_after) {
+            motion.velocity -= push.sliding * glm::dot(push.sliding, motion.velocity);
+        }
+        seconds -= time;
+    }
+}
+
+} // namespace particles

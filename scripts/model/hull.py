@@ -54,7 +54,8 @@ def plates(m):
         (3.75, 1.04),
         (3.70, 1.085),
         (3.40, 1.10),
-        (-3.60, 1.20),
+        (2.60, 1.30),  # inside the upper hull, so that nothing shows between the two
+        (-3.60, 1.30),
     )
     prism(m, tub, -1.03, 1.03, SIDE, (0.03, 0.03))
 

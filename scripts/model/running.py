@@ -61,9 +61,9 @@ def track(m):
     top0 = sum(lengths(seg)[:4])
     top1 = top0 + lengths(seg)[4]
     x0, x1 = TRACK_X - TRACK_W / 2, TRACK_X + TRACK_W / 2
-    outer, side0, side1, inner, horn = (new_chart() for _ in range(5))
+    outer, side0, side1, inner, horn, roofed = (new_chart() for _ in range(6))
     groove = LINK - 0.026
-    first = True
+    painted, fresh = set(), set()  # charts that earlier links have drawn, and this link's own
 
     def at_s(s, h):
         p, n = walk(seg, s % total)
@@ -71,7 +71,8 @@ def track(m):
 
     def put(pts, uv, chart):
         m.poly(pts, uv, chart)
-        m.faces[-1].copy = not first
+        m.faces[-1].copy = chart in painted
+        fresh.add(chart)
 
     s = 0.0
     k = 0
@@ -90,12 +91,12 @@ def track(m):
         )
         o = [at_s(s + f * span, h) for f, h in st]
         i0, i1 = at_s(s, 0), at_s(s + span, 0)
-        m.begin('track', 1.6, smooth=25)
+        m.begin('dark' if hidden else 'track', 0.5 if hidden else 1.6, smooth=25)
         for (a, b), (f, _), (g, _) in zip(zip(o, o[1:]), st, st[1:]):
             put(
                 [(x0, a.y, a.x), (x0, b.y, b.x), (x1, b.y, b.x), (x1, a.y, a.x)][::-1],
                 [(0, f * pitch), (0, g * pitch), (TRACK_W, g * pitch), (TRACK_W, f * pitch)][::-1],
-                outer,
+                roofed if hidden else outer,
             )
         m.begin('track', 0.8, smooth=25)
         put(
@@ -109,7 +110,8 @@ def track(m):
         put([(x1, p.y, p.x) for p in ring][::-1], suv[::-1], side1)
         flank, fuv = ring, suv
         if hidden or s + pitch < lengths(seg)[0]:  # lying on the ground it needs no grooves towards the hull
-            flank, fuv = (i0, at_s(s, LINK), at_s(s + span, LINK), i1), [(0, 0), (0, LINK), (pitch, LINK), (pitch, 0)]
+            high = st[0][1] if hidden else LINK
+            flank, fuv = (i0, at_s(s, high), at_s(s + span, high), i1), [(0, 0), (0, LINK), (pitch, LINK), (pitch, 0)]
         put([(x0, p.y, p.x) for p in flank], fuv, side0)
         if s + pitch < lengths(seg)[0]:
             m.begin('track', 0.8, smooth=25)
@@ -119,7 +121,7 @@ def track(m):
             t = (x, tip.y, tip.x)
             for q in range(4):
                 put([c[q], c[(q + 1) % 4], t], [(0, 0), (0.09, 0), (0.045, 0.09)], horn)
-        first = False
+        painted |= fresh
         k += n
 
 

@@ -2,6 +2,8 @@
 
 #include "platform/frame_capture.h"
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +17,9 @@ struct CheckResult
     bool passed;
     std::vector<std::string> evidence; ///< sentences for people, at least one
 };
+
+/// What the last check of each task found, by its id.
+using CheckResults = std::map<std::string, CheckResult, std::less<>>;
 
 /// Checks a task of the lab, such as "1.2": does with states of its own, by the program's commands, what a
 /// person would do, and judges the calls that drawing them made.

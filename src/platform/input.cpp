@@ -9,7 +9,7 @@
 namespace platform {
 namespace {
 
-/// The share of the window's diagonal that two fingers move apart for one notch of the wheel.
+/// The share of the window's side that two fingers move apart for one notch of the wheel.
 constexpr double PINCH_PER_NOTCH = 0.05;
 
 } // namespace
@@ -63,6 +63,17 @@ void Input::release_all(app::State& state)
     dragging_ = false;
 }
 
+void Input::finger(const SDL_TouchFingerEvent& event, app::State& state)
+{
+    // SDL lets the first finger drag as a mouse would; the second one ends that, or both would turn the view.
+    if (const std::optional<double> spread = pinch_.handle(event)) {
+        app::apply(state, "zoom_by", *spread / PINCH_PER_NOTCH);
+    }
+    if (pinch_.fingers_down() > 1) {
+        dragging_ = false;
+    }
+}
+
 void Input::handle(const SDL_Event& event, app::State& state)
 {
     switch (event.type) {
@@ -87,10 +98,10 @@ void Input::handle(const SDL_Event& event, app::State& state)
     case SDL_MOUSEWHEEL:
         app::apply(state, "zoom_by", static_cast<double>(event.wheel.preciseY));
         break;
-    case SDL_MULTIGESTURE:
-        if (event.mgesture.numFingers == 2) {
-            app::apply(state, "zoom_by", static_cast<double>(event.mgesture.dDist) / PINCH_PER_NOTCH);
-        }
+    case SDL_FINGERDOWN:
+    case SDL_FINGERMOTION:
+    case SDL_FINGERUP:
+        finger(event.tfinger, state);
         break;
     case SDL_WINDOWEVENT:
         if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {

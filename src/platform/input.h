@@ -2,6 +2,7 @@
 
 #include "app/keys.h"
 #include "app/state.h"
+#include "platform/finger_pinch.h"
 
 #include <bitset>
 
@@ -23,9 +24,11 @@ private:
     void key_down(const SDL_KeyboardEvent& event, app::State& state);
     void key_up(const SDL_KeyboardEvent& event, app::State& state);
     bool is_down(app::Key key) const;
+    void finger(const SDL_TouchFingerEvent& event, app::State& state);
 
     std::bitset<SDL_NUM_SCANCODES> down_;
     bool dragging_ = false;
+    FingerPinch pinch_;
 };
 
 } // namespace platform

@@ -28,5 +28,6 @@ target_link_libraries(tanklab PRIVATE platform_program platform_files scene lega
 set_target_properties(tanklab PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 
 add_library(platform_checks STATIC
-  check_assembly.cpp check_display_lists.cpp check_draw_obj.cpp check_joints.cpp checks.cpp frame_capture.cpp)
+  capture_json.cpp check_assembly.cpp check_display_lists.cpp check_draw_obj.cpp check_joints.cpp check_json.cpp
+  checks.cpp frame_capture.cpp)
 target_link_libraries(platform_checks PUBLIC app scene legacygl)

@@ -1,0 +1,114 @@
+// What the page calls, as C functions of the WebAssembly module. Texts are UTF-8; a text that is returned is
+// valid until the next call. What the program calls in the page stands in web_page.cpp.
+#include "app/json.h"
+#include "app/links.h"
+#include "platform/check_json.h"
+#include "platform/web_page.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include <emscripten.h>
+
+namespace {
+
+platform::WebPage& page()
+{
+    static platform::WebPage the_page;
+    return the_page;
+}
+
+const char* kept(std::string text)
+{
+    static std::string last;
+    last = std::move(text);
+    return last.c_str();
+}
+
+constexpr const char* NOT_STARTED = "The program has not started.";
+
+} // namespace
+
+extern "C" {
+
+/// Gives a file to the program, by its name and bytes, before it starts.
+EMSCRIPTEN_KEEPALIVE void tanklab_add_file(const char* name, const std::uint8_t* data, std::size_t size)
+{
+    page().add_file(name, {data, size});
+}
+
+/// Starts the program in the state of a fragment. Returns "" or a sentence that says what is wrong.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_start(const char* fragment)
+{
+    return kept(page().start(fragment));
+}
+
+/// Returns the state as JSON (app::state_json).
+EMSCRIPTEN_KEEPALIVE const char* tanklab_state()
+{
+    platform::Program& program = page().program();
+    return kept(app::state_json(program.state(), page().started() ? &program.assets() : nullptr));
+}
+
+/// Returns the table of commands as JSON (app::commands_json).
+EMSCRIPTEN_KEEPALIVE const char* tanklab_commands()
+{
+    return kept(app::commands_json());
+}
+
+/// Does a command. Returns "" or a sentence that says why nothing was done.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_command(const char* name, double value)
+{
+    return kept(page().started() ? page().program().command(name, value) : NOT_STARTED);
+}
+
+/// Returns the fragment that describes the state, without '#'.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_link()
+{
+    return kept(app::link(page().program().state()));
+}
+
+/// Opens a fragment. Returns the messages about it as a JSON array of sentences.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_open_link(const char* fragment)
+{
+    return kept(app::strings_json(page().program().open_link(fragment)));
+}
+
+/// Draws a frame and returns the GL calls it made (capture_json).
+EMSCRIPTEN_KEEPALIVE const char* tanklab_capture()
+{
+    return kept(page().started() ? page().capture() : "[]");
+}
+
+/// Returns the lab's tasks, with what their last checks found (tasks_json).
+EMSCRIPTEN_KEEPALIVE const char* tanklab_tasks()
+{
+    return kept(platform::tasks_json(page().check_results()));
+}
+
+/// Runs the check of a task and returns the task with what it found (task_json).
+EMSCRIPTEN_KEEPALIVE const char* tanklab_check(const char* id)
+{
+    if (page().started()) {
+        page().check(id);
+    }
+    return kept(platform::task_json(id, page().check_results()));
+}
+
+/// Draws the state at once, so that the canvas can be read within the same task of the page.
+EMSCRIPTEN_KEEPALIVE void tanklab_draw()
+{
+    if (page().started()) {
+        page().draw_now();
+    }
+}
+
+} // extern "C"
+
+/// The page starts the program by tanklab_start; the module stays alive when main returns.
+int main()
+{
+    return 0;
+}

@@ -1,0 +1,143 @@
+#include "platform/web_page.h"
+
+#include "app/assets.h"
+#include "app/json.h"
+#include "platform/capture_json.h"
+
+#include <utility>
+
+#include <SDL.h>
+#include <emscripten.h>
+#include <legacygl/legacygl.h>
+
+namespace platform {
+namespace {
+
+// clang-format off
+EM_JS(void, tell_state, (const char* json), {
+    if (Module["onStateChanged"]) {
+        Module["onStateChanged"](UTF8ToString(json));
+    }
+});
+
+EM_JS(void, tell_message, (const char* text), {
+    if (Module["onMessage"]) {
+        Module["onMessage"](UTF8ToString(text));
+    }
+});
+
+// ?antialias=0 in the page's address: for pictures that are compared.
+EM_JS(int, wants_antialias, (), {
+    return new URLSearchParams(location.search).get("antialias") === "0" ? 0 : 1;
+});
+// clang-format on
+
+double seconds_now()
+{
+    return emscripten_get_now() / 1000.0;
+}
+
+} // namespace
+
+void WebPage::add_file(std::string_view name, std::span<const std::uint8_t> bytes)
+{
+    files_[std::string(name)].assign(bytes.begin(), bytes.end());
+}
+
+std::string WebPage::start(std::string_view fragment)
+{
+    if (started_) {
+        return "The program runs already.";
+    }
+    std::vector<app::AssetFile> files;
+    for (const auto& [name, bytes] : files_) {
+        files.push_back({name, bytes});
+    }
+    mesh::Result<app::Assets> assets = app::read_assets(files);
+    if (!assets) {
+        return assets.error().message();
+    }
+    if (!canvas_open_) {
+        if (std::string error = canvas_.open(wants_antialias() != 0); !error.empty()) {
+            return error;
+        }
+        canvas_open_ = true;
+    }
+    if (std::string error = program_.start(std::move(assets).value()); !error.empty()) {
+        return error;
+    }
+    files_.clear();
+    started_ = true;
+    for (const std::string& message : program_.open_link(fragment)) {
+        tell_message(message.c_str());
+    }
+    draw_now();
+    report();
+    last_frame_seconds_ = seconds_now();
+    emscripten_set_main_loop_arg(run_frame, this, 0, 0); // at the display's own rate
+    return "";
+}
+
+void WebPage::run_frame(void* page)
+{
+    static_cast<WebPage*>(page)->frame();
+}
+
+void WebPage::frame()
+{
+    SDL_Event event;
+    while (SDL_PollEvent(&event) != 0) {
+        program_.handle(event);
+    }
+    const double now = seconds_now();
+    program_.advance(now - last_frame_seconds_);
+    last_frame_seconds_ = now;
+
+    canvas_.fit();
+    if (canvas_.take_restored()) {
+        program_.redraw();
+    }
+    if (!canvas_.lost() && program_.draw_if_changed(canvas_.width(), canvas_.height())) {
+        legacygl_present(legacygl_current());
+    }
+    report();
+}
+
+void WebPage::report()
+{
+    const std::uint64_t revision = program_.state().revision.count;
+    if (reported_ && reported_revision_ == revision) {
+        return;
+    }
+    reported_ = true;
+    reported_revision_ = revision;
+    tell_state(app::state_json(program_.state(), &program_.assets()).c_str());
+}
+
+void WebPage::draw_now()
+{
+    program_.redraw();
+    if (!canvas_.lost() && program_.draw_if_changed(canvas_.width(), canvas_.height())) {
+        legacygl_present(legacygl_current());
+    }
+}
+
+std::string WebPage::capture()
+{
+    legacygl_capture_begin(legacygl_current());
+    draw_now();
+    std::size_t count = 0;
+    const LegacyGLCall* calls = legacygl_capture_end(legacygl_current(), &count);
+    return capture_json({calls, count});
+}
+
+void WebPage::check(std::string_view id)
+{
+    const CheckSubject subject{program_.assets(), program_.renderer(), canvas_.width(), canvas_.height()};
+    if (std::optional<CheckResult> result = run_check(id, subject)) {
+        check_results_.insert_or_assign(std::string(id), *std::move(result));
+        draw_now(); // the check drew over the picture
+    }
+}
+
+} // namespace platform

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "platform/checks.h"
+#include "platform/program.h"
+#include "platform/web_canvas.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace platform {
+
+/// The program in a page. The page brings the files, starts it, and is told when the state changes; how the
+/// two call each other stands in web_bridge.cpp.
+class WebPage
+{
+public:
+    /// Keeps a file until start() reads it. A file of the same name is replaced.
+    void add_file(std::string_view name, std::span<const std::uint8_t> bytes);
+
+    /// Reads the files, opens the canvas and the link, and begins to run.
+    /// Returns "" or a sentence that says what is wrong; start() may be called again then, with better files.
+    std::string start(std::string_view fragment);
+
+    bool started() const { return started_; }
+    Program& program() { return program_; }
+
+    /// Draws one frame and returns the GL calls it made as JSON. Vertices within lists are counted, not
+    /// listed.
+    std::string capture();
+
+    /// Runs the check of a task, if it has one, and remembers what it found.
+    void check(std::string_view id);
+
+    /// Returns what the last checks of the tasks found.
+    const CheckResults& check_results() const { return check_results_; }
+
+    /// Draws the current state now, within the caller's own task, whether it changed or not.
+    void draw_now();
+
+private:
+    static void run_frame(void* page);
+    void frame();
+    void report();
+
+    std::map<std::string, std::vector<std::uint8_t>, std::less<>> files_;
+    CheckResults check_results_;
+    WebCanvas canvas_;
+    Program program_;
+    bool canvas_open_ = false;
+    bool started_ = false;
+    double last_frame_seconds_ = 0.0;
+    bool reported_ = false;
+    std::uint64_t reported_revision_ = 0;
+};
+
+} // namespace platform

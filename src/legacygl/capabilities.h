@@ -27,14 +27,37 @@ inline Capability find_capability(State& state, GLenum capability)
         return {&state.transform.normalize, Renderer::lighting};
     case GL_RESCALE_NORMAL:
         return {&state.transform.rescale_normal, Renderer::lighting};
+    case GL_TEXTURE_1D:
     case GL_TEXTURE_2D:
-        return {&state.texturing.enabled_2d, Renderer::texturing};
+        return {&state.texturing.unit().enabled[capability - GL_TEXTURE_1D], Renderer::texturing};
+    case GL_TEXTURE_GEN_S:
+    case GL_TEXTURE_GEN_T:
+    case GL_TEXTURE_GEN_R:
+    case GL_TEXTURE_GEN_Q:
+        return {&state.texturing.unit().generation[capability - GL_TEXTURE_GEN_S].enabled,
+                Renderer::texturing};
+    case GL_FOG:
+        return {&state.fog.enabled, Renderer::fragments};
+    case GL_COLOR_SUM:
+        return {&state.lighting.color_sum, Renderer::lighting};
     case GL_CULL_FACE:
         return {&state.raster.cull_face, Renderer::pipeline};
     case GL_DEPTH_TEST:
         return {&state.fragment.depth_test, Renderer::pipeline};
     case GL_BLEND:
-        return {&state.fragment.blend, Renderer::pipeline};
+        return {&state.fragment.blend.enabled, Renderer::pipeline};
+    case GL_SCISSOR_TEST:
+        return {&state.fragment.scissor_test, Renderer::pipeline};
+    case GL_STENCIL_TEST:
+        return {&state.fragment.stencil.enabled, Renderer::pipeline};
+    case GL_ALPHA_TEST:
+        return {&state.fragment.alpha_test, Renderer::fragments};
+    case GL_POLYGON_OFFSET_FILL:
+        return {&state.raster.polygon_offset_fill, Renderer::pipeline};
+    case GL_POLYGON_OFFSET_LINE:
+        return {&state.raster.polygon_offset_line, Renderer::pipeline};
+    case GL_POLYGON_OFFSET_POINT:
+        return {&state.raster.polygon_offset_point, Renderer::pipeline};
     case GL_DITHER:
         return {&state.fragment.dither, Renderer::pipeline};
     default:

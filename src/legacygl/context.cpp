@@ -12,7 +12,7 @@ Context* current_context = nullptr;
 Context::Context(std::unique_ptr<Backend> made, int w, int h)
     : backend(std::move(made)), renderer(*backend), width(w), height(h)
 {
-    state.transform.viewport = {0, 0, w, h};
+    state.transform.viewport = state.fragment.scissor_box = {0, 0, w, h};
 }
 
 void Context::begin(GLenum mode)
@@ -56,7 +56,7 @@ MatrixStack& Context::current_matrix_stack()
     case GL_PROJECTION:
         return state.transform.projection;
     case GL_TEXTURE:
-        return state.transform.texture;
+        return state.transform.texture[state.texturing.active];
     default:
         return state.transform.modelview;
     }

@@ -6,8 +6,9 @@
 namespace legacygl {
 namespace {
 
-constexpr std::array<const char*, ATTRIBUTE_COUNT> ATTRIBUTE_CALLS = {"glVertex4f", "glNormal3f", "glColor4f",
-                                                                      "glTexCoord4f"};
+constexpr std::array<const char*, ATTRIBUTE_COUNT> ATTRIBUTE_CALLS = {
+    "glVertex4f",  "glNormal3f",   "glColor4f",        "glSecondaryColor3f",
+    "glFogCoordf", "glTexCoord4f", "glMultiTexCoord4f"};
 
 bool was_set(const VertexBatch& batch, int i)
 {

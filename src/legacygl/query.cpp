@@ -53,19 +53,19 @@ QueryValue query(const Context& gl, GLenum name)
     case GL_PROJECTION_MATRIX:
         return matrix(s.transform.projection);
     case GL_TEXTURE_MATRIX:
-        return matrix(s.transform.texture);
+        return matrix(s.transform.texture[s.texturing.active]);
     case GL_MODELVIEW_STACK_DEPTH:
         return integer(static_cast<double>(s.transform.modelview.depth()));
     case GL_PROJECTION_STACK_DEPTH:
         return integer(static_cast<double>(s.transform.projection.depth()));
     case GL_TEXTURE_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.texture.depth()));
+        return integer(static_cast<double>(s.transform.texture[s.texturing.active].depth()));
     case GL_MAX_MODELVIEW_STACK_DEPTH:
         return integer(static_cast<double>(s.transform.modelview.capacity()));
     case GL_MAX_PROJECTION_STACK_DEPTH:
         return integer(static_cast<double>(s.transform.projection.capacity()));
     case GL_MAX_TEXTURE_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.texture.capacity()));
+        return integer(static_cast<double>(s.transform.texture[0].capacity()));
     case GL_MATRIX_MODE:
         return integer(s.transform.matrix_mode);
     case GL_VIEWPORT: {
@@ -81,7 +81,7 @@ QueryValue query(const Context& gl, GLenum name)
     case GL_CURRENT_NORMAL:
         return make(Kind::normalized, {&s.current[index_of(Attribute::normal)].x, 3});
     case GL_CURRENT_TEXTURE_COORDS:
-        return make(Kind::real, {&s.current[index_of(Attribute::texture_coordinate)].x, 4});
+        return make(Kind::real, {&s.current[index_of(texture_coordinate(s.texturing.active))].x, 4});
     case GL_SHADE_MODEL:
         return integer(s.lighting.shade_model);
     case GL_LIGHT_MODEL_AMBIENT:
@@ -99,7 +99,7 @@ QueryValue query(const Context& gl, GLenum name)
     case GL_MAX_LIGHTS:
         return integer(LIGHT_COUNT);
     case GL_TEXTURE_BINDING_2D:
-        return integer(s.texturing.bound_2d);
+        return integer(s.texturing.unit().bound[1]);
     case GL_MAX_TEXTURE_SIZE:
         return integer(2048);
     case GL_CULL_FACE_MODE:
@@ -121,9 +121,9 @@ QueryValue query(const Context& gl, GLenum name)
     case GL_COLOR_CLEAR_VALUE:
         return color(s.fragment.clear_color);
     case GL_BLEND_SRC:
-        return integer(s.fragment.blend_source);
+        return integer(s.fragment.blend.source_rgb);
     case GL_BLEND_DST:
-        return integer(s.fragment.blend_destination);
+        return integer(s.fragment.blend.destination_rgb);
     case GL_COLOR_WRITEMASK: {
         QueryValue out{Kind::boolean, 4, {}};
         for (int i = 0; i < 4; ++i)

@@ -18,9 +18,12 @@ Pipeline make_pipeline(const State& state)
     p.cull_face = state.raster.cull_face;
     p.cull_face_mode = state.raster.cull_face_mode;
     p.front_face = state.raster.front_face;
+    p.scissor_test = state.fragment.scissor_test;
+    p.scissor_box = state.fragment.scissor_box;
+    p.stencil = state.fragment.stencil;
     p.blend = state.fragment.blend;
-    p.blend_source = state.fragment.blend_source;
-    p.blend_destination = state.fragment.blend_destination;
+    p.polygon_offset = state.raster.polygon_offset_fill;
+    p.polygon_offset_factor_units = {state.raster.polygon_offset_factor, state.raster.polygon_offset_units};
     p.color_mask = state.fragment.color_mask;
     p.dither = state.fragment.dither;
     p.line_width = state.raster.line_width;
@@ -104,13 +107,17 @@ const DrawState& Renderer::prepare(const State& state, PrimitiveClass primitive)
     if (key.lighting && (changed_ & lighting))
         refill(UniformGroup::lighting, lighting_layout::size(key.light_count),
                [&](std::span<glm::vec4> out) { fill_lighting(state, key, out); });
-    if (key.texture != BaseFormat::none && (changed_ & (texturing | matrices)))
+    if (key.textured() && (changed_ & (texturing | matrices)))
         refill(UniformGroup::texturing, texturing_layout::SIZE,
                [&](std::span<glm::vec4> out) { fill_texturing(state, out); });
+    if ((key.fog_mode || key.alpha_func != GL_ALWAYS) && (changed_ & fragments))
+        refill(UniformGroup::fragments, fragments_layout::SIZE,
+               [&](std::span<glm::vec4> out) { fill_fragments(state, out); });
     if (changed_ & texturing)
-        draw_state_.textures[0] = key.texture != BaseFormat::none
-                                      ? texture(*state.texturing.textures.at(state.texturing.bound_2d))
-                                      : 0;
+        for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+            Texture* used = state.texturing.used(state.texturing.units[unit]);
+            draw_state_.textures[unit] = used ? texture(*used) : 0;
+        }
     if (changed_ & pipeline)
         draw_state_.pipeline = make_pipeline(state);
     draw_state_.constants = &state.current;

@@ -25,6 +25,7 @@ public:
         lighting = 2,
         texturing = 4,
         pipeline = 8,
+        fragments = 16,
         everything = ~0u
     };
     void changed(std::uint32_t what) { changed_ |= what; }

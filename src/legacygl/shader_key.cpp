@@ -21,11 +21,9 @@ void add_lighting(const State& state, ShaderKey& key)
     key.local_viewer = lighting.local_viewer;
     key.two_side = lighting.two_side;
     key.separate_specular = lighting.separate_specular;
-    key.normalize = state.transform.normalize;
-    key.rescale = state.transform.rescale_normal;
     key.specular = shines(state);
-    key.eye_space = lighting.local_viewer || lighting.separate_specular ||
-                    !state.transform.modelview.top().preserves_length();
+    key.eye_space |= lighting.local_viewer || lighting.separate_specular ||
+                     !state.transform.modelview.top().preserves_length();
     for (const Light& light : lighting.lights) {
         if (!light.enabled)
             continue;
@@ -41,33 +39,105 @@ void add_lighting(const State& state, ShaderKey& key)
                 key.follows_color |= static_cast<std::uint8_t>(1u << (face * MATERIAL_PROPERTY_COUNT + p));
 }
 
+bool is_identity(const Matrix& matrix)
+{
+    return std::memcmp(matrix.values(), Matrix().values(), sizeof(float) * 16) == 0;
+}
+
+void add_texture(const State& state, int unit, ShaderKey& key)
+{
+    const TextureUnit& u = state.texturing.units[unit];
+    const Texture* texture = state.texturing.used(u);
+    if (!texture)
+        return;
+    TextureKey& k = key.textures[unit];
+    k.format = base_format(texture->levels[0].internal_format);
+    k.environment = u.environment_mode;
+    if (k.environment == GL_COMBINE) {
+        k.combine_rgb = u.combine_rgb;
+        k.combine_alpha = u.combine_alpha;
+    }
+    k.matrix = !is_identity(state.transform.texture[unit].top());
+    for (int i = 0; i < 4; ++i)
+        if (u.generation[i].enabled)
+            k.generation[i] = u.generation[i].mode;
+}
+
 } // namespace
+
+bool ShaderKey::textured() const
+{
+    for (const TextureKey& texture : textures)
+        if (texture.format != BaseFormat::none)
+            return true;
+    return false;
+}
+
+bool ShaderKey::generates(GLenum mode) const
+{
+    for (const TextureKey& texture : textures)
+        if (texture.generates(mode))
+            return true;
+    return false;
+}
+
+bool ShaderKey::needs_eye_position() const
+{
+    if ((fog_mode && !fog_coordinate) || generates(GL_EYE_LINEAR) || generates(GL_SPHERE_MAP))
+        return true;
+    if (!lighting)
+        return false;
+    for (int i = 0; i < light_count; ++i)
+        if (lights[i].positional)
+            return true;
+    return local_viewer;
+}
+
+bool ShaderKey::needs_normal() const
+{
+    return lighting || generates(GL_SPHERE_MAP);
+}
 
 ShaderKey make_shader_key(const State& state, PrimitiveClass primitive)
 {
     ShaderKey key;
     key.flat = state.lighting.shade_model == GL_FLAT;
     key.points = primitive == PrimitiveClass::points;
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        add_texture(state, unit, key);
+    key.eye_space = key.generates(GL_SPHERE_MAP) || key.generates(GL_EYE_LINEAR);
     if (state.lighting.enabled)
         add_lighting(state, key);
-    if (state.texturing.enabled_2d && state.texturing.bound().complete()) {
-        key.texture = base_format(state.texturing.bound().levels[0].internal_format);
-        key.texture_environment = state.texturing.environment_mode;
-        key.texture_matrix =
-            std::memcmp(state.transform.texture.top().values(), Matrix().values(), sizeof(float) * 16) != 0;
+    else
+        key.color_sum = state.lighting.color_sum;
+    if (key.needs_normal()) {
+        key.normalize = state.transform.normalize;
+        key.rescale = state.transform.rescale_normal;
     }
+    if (state.fog.enabled) {
+        key.fog_mode = state.fog.mode;
+        key.fog_coordinate = state.fog.coordinate_source == GL_FOG_COORDINATE;
+    }
+    if (state.fragment.alpha_test)
+        key.alpha_func = state.fragment.alpha_func;
     return key;
 }
 
 std::uint32_t attributes_read(const ShaderKey& key)
 {
-    std::uint32_t mask = 1u << index_of(Attribute::position);
-    if (key.lighting)
-        mask |= 1u << index_of(Attribute::normal);
+    const auto bit = [](Attribute attribute) { return 1u << index_of(attribute); };
+    std::uint32_t mask = bit(Attribute::position);
+    if (key.needs_normal())
+        mask |= bit(Attribute::normal);
     if (!key.lighting || key.follows_color)
-        mask |= 1u << index_of(Attribute::color);
-    if (key.texture != BaseFormat::none)
-        mask |= 1u << index_of(Attribute::texture_coordinate);
+        mask |= bit(Attribute::color);
+    if (key.color_sum)
+        mask |= bit(Attribute::secondary_color);
+    if (key.fog_mode && key.fog_coordinate)
+        mask |= bit(Attribute::fog_coordinate);
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        if (key.textures[unit].format != BaseFormat::none)
+            mask |= bit(texture_coordinate(unit));
     return mask;
 }
 
@@ -79,7 +149,7 @@ TransformLayout::TransformLayout(const ShaderKey& key)
     };
     if (key.needs_eye_position())
         place(modelview, 4);
-    if (key.lighting && key.eye_space)
+    if (key.needs_normal() && key.eye_space)
         place(normal, 3);
     if (key.needs_normal_scale())
         place(normal_scale, 1);
@@ -94,15 +164,29 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
     // FNV-1a over the members; never over the object's memory, which has padding.
     std::uint64_t hash = 14695981039346656037ull;
     const auto mix = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ull; };
-    for (bool b : {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
-                   key.separate_specular, key.specular, key.texture_matrix, key.flat, key.points})
+    for (bool b :
+         {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
+          key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points})
         mix(b);
     mix(key.follows_color);
     mix(key.light_count);
-    for (const LightKey& light : key.lights)
-        mix(light.positional | light.spot << 1 | light.attenuated << 2);
-    mix(static_cast<std::uint64_t>(key.texture));
-    mix(key.texture_environment);
+    for (int i = 0; i < key.light_count; ++i)
+        mix(key.lights[i].positional | key.lights[i].spot << 1 | key.lights[i].attenuated << 2);
+    mix(key.fog_mode);
+    mix(key.alpha_func);
+    for (const TextureKey& texture : key.textures) {
+        mix(static_cast<std::uint64_t>(texture.format));
+        mix(texture.environment);
+        mix(texture.matrix);
+        for (GLenum mode : texture.generation)
+            mix(mode);
+        for (const Combine* combine : {&texture.combine_rgb, &texture.combine_alpha}) {
+            mix(combine->function);
+            mix(static_cast<std::uint64_t>(combine->scale));
+            for (int i = 0; i < 3; ++i)
+                mix(combine->sources[i] ^ (static_cast<std::uint64_t>(combine->operands[i]) << 32));
+        }
+    }
     return static_cast<std::size_t>(hash);
 }
 

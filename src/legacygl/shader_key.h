@@ -29,6 +29,25 @@ struct LightKey
     bool operator==(const LightKey&) const = default;
 };
 
+/// What of a texture unit changes the text of the shader.
+struct TextureKey
+{
+    BaseFormat format = BaseFormat::none; ///< none: the unit draws without a texture.
+    GLenum environment = 0;
+    Combine combine_rgb; ///< Only of GL_COMBINE.
+    Combine combine_alpha;
+    bool matrix = false;
+    std::array<GLenum, 4> generation{}; ///< Mode of each coordinate; 0: taken from the vertex.
+    bool operator==(const TextureKey&) const = default;
+    bool generates(GLenum mode) const
+    {
+        for (GLenum g : generation)
+            if (g == mode)
+                return true;
+        return false;
+    }
+};
+
 /// What of the state changes the text of the fixed-function shader; everything else is a uniform.
 struct ShaderKey
 {
@@ -45,9 +64,11 @@ struct ShaderKey
     std::uint8_t follows_color = 0;
     std::uint8_t light_count = 0;
     std::array<LightKey, LIGHT_COUNT> lights{};
-    BaseFormat texture = BaseFormat::none;
-    GLenum texture_environment = 0; ///< 0 without a texture.
-    bool texture_matrix = false;
+    std::array<TextureKey, TEXTURE_UNIT_COUNT> textures;
+    bool color_sum = false;      ///< The vertex's own secondary colour is added.
+    GLenum fog_mode = 0;         ///< 0: no fog.
+    bool fog_coordinate = false; ///< Fog by the vertex's fog coordinate, not its distance.
+    GLenum alpha_func = GL_ALWAYS;
     bool flat = false;
     bool points = false;
 
@@ -56,17 +77,14 @@ struct ShaderKey
     {
         return follows_color & (1u << (face * MATERIAL_PROPERTY_COUNT + static_cast<int>(property)));
     }
+    bool secondary() const { return (lighting && separate_specular) || color_sum; }
+    bool textured() const;
+    bool generates(GLenum mode) const;
     /// Whether the vertex's place in eye coordinates is needed.
-    bool needs_eye_position() const
-    {
-        if (!lighting)
-            return false;
-        for (int i = 0; i < light_count; ++i)
-            if (lights[i].positional)
-                return true;
-        return local_viewer;
-    }
-    bool needs_normal_scale() const { return lighting && !normalize && eye_space == rescale; }
+    bool needs_eye_position() const;
+    /// Whether the normal in eye coordinates is needed.
+    bool needs_normal() const;
+    bool needs_normal_scale() const { return needs_normal() && !normalize && eye_space == rescale; }
 };
 
 struct ShaderKeyHash
@@ -110,9 +128,15 @@ constexpr int size(int light_count)
 }
 } // namespace lighting_layout
 
-/// Where things lie in the uniform array `texturing`, in vec4s.
+/// Where things lie in the uniform array `texturing`, in vec4s, from unit * UNIT_SIZE.
 namespace texturing_layout {
-constexpr int ENVIRONMENT_COLOR = 0, MATRIX = 1, SIZE = 5;
+constexpr int ENVIRONMENT_COLOR = 0, MATRIX = 1, OBJECT_PLANES = 5, EYE_PLANES = 9, UNIT_SIZE = 13;
+constexpr int SIZE = TEXTURE_UNIT_COUNT * UNIT_SIZE;
+} // namespace texturing_layout
+
+/// Where things lie in the uniform array `fragments`, in vec4s.
+namespace fragments_layout {
+constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2, SIZE = 3;
 }
 
 } // namespace legacygl

@@ -1,214 +1,46 @@
 #include "legacygl/shader_text.h"
 
+#include "legacygl/shader_lighting_text.h"
+#include "legacygl/shader_texture_text.h"
+#include "legacygl/shader_words.h"
+
 #include <string>
 
 namespace legacygl {
 namespace {
-
-std::string at(const char* group, int index)
-{
-    return std::string(group) + '[' + std::to_string(index) + ']';
-}
-
-std::string transform(int index)
-{
-    return at("transform", index);
-}
-
-std::string lighting(int index)
-{
-    return at("lighting", index);
-}
-
-/// column 0 · v.x + column 1 · v.y + …, added in that order.
-std::string columns_times(const char* group, int first, const std::string& v)
-{
-    return v + ".x * " + at(group, first) + " + " + v + ".y * " + at(group, first + 1) + " + " + v + ".z * " +
-           at(group, first + 2) + " + " + v + ".w * " + at(group, first + 3);
-}
-
-/// Writes the lighting of one vertex (OpenGL 1.5, 2.14.1).
-class LightingText
-{
-public:
-    explicit LightingText(const ShaderKey& key) : key_(key), layout_(key) {}
-
-    std::string text()
-    {
-        add_normal();
-        if (key_.needs_eye_position())
-            line("vec4 eye = " + columns_times("transform", layout_.modelview, "position") + ";");
-        if (key_.local_viewer && key_.specular)
-            line("vec3 eye_direction = eye.xyz * inversesqrt(dot(eye.xyz, eye.xyz));");
-        for (int face = 0; face < faces(); ++face)
-            add_scene_color(face);
-        for (int i = 0; i < key_.light_count; ++i)
-            add_light(i);
-        return text_;
-    }
-
-private:
-    int faces() const { return key_.two_side ? 2 : 1; }
-    void line(const std::string& s) { text_ += "    " + s + "\n"; }
-
-    static std::string face_value(int face, int which)
-    {
-        using namespace lighting_layout;
-        return lighting(FACE + face * FACE_SIZE + which);
-    }
-    std::string material(int face, MaterialProperty property, int which) const
-    {
-        return key_.follows(face, property) ? "color" : face_value(face, which);
-    }
-    static std::string primary(int face) { return face == 0 ? "front_color" : "back_color"; }
-    static std::string secondary(int face) { return face == 0 ? "front_secondary" : "back_secondary"; }
-
-    void add_normal()
-    {
-        line("vec3 n = normal;");
-        if (key_.eye_space)
-            line("n = vec3(dot(n, " + transform(layout_.normal) + ".xyz), dot(n, " +
-                 transform(layout_.normal + 1) + ".xyz), dot(n, " + transform(layout_.normal + 2) +
-                 ".xyz));");
-        if (key_.normalize)
-            line("n = n * inversesqrt(dot(n, n));");
-        else if (key_.needs_normal_scale())
-            line("n = n * " + transform(layout_.normal_scale) + ".x;");
-    }
-
-    void add_scene_color(int face)
-    {
-        using namespace lighting_layout;
-        using enum MaterialProperty;
-        if (key_.follows(face, emission) || key_.follows(face, ambient) || key_.follows(face, diffuse))
-            line(primary(face) + " = vec4((" + lighting(MODEL_AMBIENT) + " * " +
-                 material(face, ambient, FACE_AMBIENT) + " + " + material(face, emission, FACE_EMISSION) +
-                 ").rgb, " + material(face, diffuse, FACE_DIFFUSE) + ".a);");
-        else
-            line(primary(face) + " = " + face_value(face, SCENE_COLOR) + ";");
-        if (key_.separate_specular)
-            line(secondary(face) + " = vec4(0.0, 0.0, 0.0, 1.0);");
-    }
-
-    void add_light(int i)
-    {
-        using namespace lighting_layout;
-        const LightKey& light = key_.lights[i];
-        const int base = LIGHT + i * LIGHT_SIZE;
-        const bool attenuated = light.spot || (light.attenuated && light.positional);
-        line("{");
-        if (!key_.eye_space) {
-            line("vec3 direction = " + transform(layout_.object_lights + 2 * i) + ".xyz;");
-        } else if (!light.positional) {
-            line("vec3 direction = " + lighting(base + POSITION) + ".xyz;");
-        } else {
-            line("vec3 direction = " + lighting(base + POSITION) + ".xyz - eye.xyz;");
-            line("float distance_reciprocal = inversesqrt(dot(direction, direction));");
-            line("direction = direction * distance_reciprocal;");
-        }
-        add_attenuation(light, base);
-        add_half_vector(i, light, base);
-        line("float n_direction = dot(n, direction);");
-        for (int face = 0; face < faces(); ++face)
-            add_face(face, base, attenuated);
-        line("}");
-    }
-
-    void add_attenuation(const LightKey& light, int base)
-    {
-        using namespace lighting_layout;
-        const std::string attenuation = lighting(base + ATTENUATION);
-        if (light.spot) {
-            const std::string spot = lighting(base + SPOT);
-            line("float spot = dot(-direction, " + spot + ".xyz);");
-            line("float attenuation = " + spot + ".w < spot ? pow(spot, " + attenuation + ".w) : 0.0;");
-        }
-        if (light.attenuated && light.positional) {
-            line("float d = 1.0 / distance_reciprocal;");
-            const std::string factor = "1.0 / dot(vec3(1.0, d, d * d), " + attenuation + ".xyz)";
-            line(light.spot ? "attenuation = (" + factor + ") * attenuation;"
-                            : "float attenuation = " + factor + ";");
-        }
-    }
-
-    void add_half_vector(int i, const LightKey& light, int base)
-    {
-        using namespace lighting_layout;
-        if (!key_.specular)
-            return;
-        if (key_.local_viewer)
-            line("vec3 h = direction - eye_direction;");
-        else if (!key_.eye_space)
-            line("vec3 h = " + transform(layout_.object_lights + 2 * i + 1) + ".xyz;");
-        else if (!light.positional)
-            line("vec3 h = " + lighting(base + HALF_VECTOR) + ".xyz;");
-        else
-            line("vec3 h = direction + vec3(0.0, 0.0, 1.0);");
-        if (key_.local_viewer || light.positional)
-            line("h = h * inversesqrt(dot(h, h));");
-        line("float n_half = dot(n, h);");
-    }
-
-    void add_face(int face, int base, bool attenuated)
-    {
-        using namespace lighting_layout;
-        using enum MaterialProperty;
-        const std::string sign = face == 0 ? "" : "-";
-        const auto product = [&](MaterialProperty property, int which) {
-            const std::string value = lighting(base + PRODUCT + face * 3 + static_cast<int>(property));
-            return key_.follows(face, property)
-                       ? "(" + value + " * " + material(face, property, which) + ").rgb"
-                       : value + ".rgb";
-        };
-        const std::string out = primary(face);
-        line("{");
-        line("float x = " + sign + "n_direction;");
-        line("float diffuse = max(0.0, x);");
-        if (key_.specular)
-            line("float specular = 0.0 >= x ? 0.0 : pow(max(" + sign + "n_half, 0.0), " +
-                 face_value(face, FACE_SHININESS) + ".x);");
-        else
-            line("float specular = 0.0 < x ? 1.0 : 0.0;");
-        if (attenuated) {
-            line("diffuse = diffuse * attenuation;");
-            line("specular = specular * attenuation;");
-            line(out + ".rgb = attenuation * " + product(ambient, FACE_AMBIENT) + " + " + out + ".rgb;");
-        } else {
-            line(out + ".rgb = " + product(ambient, FACE_AMBIENT) + " + " + out + ".rgb;");
-        }
-        line(out + ".rgb = diffuse * " + product(diffuse, FACE_DIFFUSE) + " + " + out + ".rgb;");
-        const std::string into = key_.separate_specular ? secondary(face) : out;
-        line(into + ".rgb = specular * " + product(specular, FACE_SPECULAR) + " + " + into + ".rgb;");
-        line("}");
-    }
-
-    const ShaderKey& key_;
-    TransformLayout layout_;
-    std::string text_;
-};
 
 /// The varyings between the shaders, in the direction given ("out" or "in").
 std::string varyings(const ShaderKey& key, const char* direction)
 {
     const std::string prefix = std::string(key.flat ? "flat " : "") + direction + " vec4 ";
     std::string text = prefix + "front_color;\n";
-    if (key.lighting && key.two_side)
+    const bool two_side = key.lighting && key.two_side;
+    if (two_side)
         text += prefix + "back_color;\n";
-    if (key.lighting && key.separate_specular) {
+    if (key.secondary()) {
         text += prefix + "front_secondary;\n";
-        if (key.two_side)
+        if (two_side)
             text += prefix + "back_secondary;\n";
     }
-    if (key.texture != BaseFormat::none)
-        text += std::string(direction) + " vec4 texture_position;\n";
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        if (key.textures[unit].format != BaseFormat::none)
+            text += std::string(direction) + " vec4 texture_position_" + std::to_string(unit) + ";\n";
+    if (key.fog_mode)
+        text += std::string(direction) + " float fog_distance;\n";
     return text;
+}
+
+std::string uniforms(const char* name, int size)
+{
+    return std::string("uniform vec4 ") + name + "[" + std::to_string(size) + "];\n";
 }
 
 /// Puts a point's centre where OpenGL 1.5, 3.3.1, rounds it to, and drops it when that lies outside the
 /// clip volume: ES rasterises sprites, whose centres are not rounded.
 std::string point_text(const TransformLayout& layout)
 {
-    const std::string viewport = transform(layout.point), size = transform(layout.point + 1) + ".x";
+    const std::string viewport = at("transform", layout.point),
+                      size = at("transform", layout.point + 1) + ".x";
     return "    gl_PointSize = " + size + ";\n" +
            "    vec3 limit = abs(gl_Position.xyz);\n"
            "    if (max(limit.x, max(limit.y, limit.z)) > gl_Position.w) {\n"
@@ -226,6 +58,20 @@ std::string point_text(const TransformLayout& layout)
            "    }\n";
 }
 
+/// Sphere mapping (OpenGL 1.5, 2.11.4): the direction of the reflection, seen in a sphere.
+constexpr const char* SPHERE_TEXT =
+    "    vec3 to_vertex = eye.xyz * inversesqrt(dot(eye.xyz, eye.xyz));\n"
+    "    float n_twice = dot(n, to_vertex);\n"
+    "    n_twice = n_twice + n_twice;\n"
+    "    vec3 reflection = -n_twice * n + to_vertex;\n"
+    "    vec3 half_way = reflection + vec3(0.0, 0.0, 1.0);\n"
+    "    vec4 sphere = vec4(reflection * (inversesqrt(dot(half_way, half_way)) * 0.5) + 0.5, 1.0);\n";
+
+std::string clamped(const std::string& name)
+{
+    return "    " + name + " = clamp(" + name + ", 0.0, 1.0);\n";
+}
+
 std::string vertex_text(const ShaderKey& key)
 {
     const TransformLayout layout(key);
@@ -235,68 +81,73 @@ std::string vertex_text(const ShaderKey& key)
                        "layout(location = 0) in vec4 position;\n"
                        "layout(location = 1) in vec3 normal;\n"
                        "layout(location = 2) in vec4 color;\n"
-                       "layout(location = 3) in vec4 texture_coordinate;\n";
-    text += "uniform vec4 transform[" + std::to_string(layout.size) + "];\n";
+                       "layout(location = 3) in vec4 secondary_color;\n"
+                       "layout(location = 4) in float fog_coordinate;\n"
+                       "layout(location = 5) in vec4 texture_coordinate_0;\n"
+                       "layout(location = 6) in vec4 texture_coordinate_1;\n";
+    text += uniforms("transform", layout.size);
     if (key.lighting)
-        text += "uniform vec4 lighting[" + std::to_string(lighting_layout::size(key.light_count)) + "];\n";
-    if (key.texture_matrix)
-        text += "uniform vec4 texturing[" + std::to_string(texturing_layout::SIZE) + "];\n";
+        text += uniforms("lighting", lighting_layout::size(key.light_count));
+    if (key.textured())
+        text += uniforms("texturing", texturing_layout::SIZE);
     text += varyings(key, "out");
     text += "void main()\n{\n";
     text +=
         "    gl_Position = " + columns_times("transform", layout.projection_modelview, "position") + ";\n";
-    text += key.lighting ? LightingText(key).text() : "    front_color = color;\n";
-    text += "    front_color = clamp(front_color, 0.0, 1.0);\n";
-    if (key.lighting && key.two_side)
-        text += "    back_color = clamp(back_color, 0.0, 1.0);\n";
-    if (key.lighting && key.separate_specular) {
-        text += "    front_secondary = clamp(front_secondary, 0.0, 1.0);\n";
-        if (key.two_side)
-            text += "    back_secondary = clamp(back_secondary, 0.0, 1.0);\n";
+    if (key.needs_eye_position())
+        text += "    vec4 eye = " + columns_times("transform", layout.modelview, "position") + ";\n";
+    if (key.needs_normal())
+        text += normal_text(key);
+    text += key.lighting ? lighting_text(key) : "    front_color = color;\n";
+    if (key.color_sum)
+        text += "    front_secondary = secondary_color;\n";
+    text += clamped("front_color");
+    const bool two_side = key.lighting && key.two_side;
+    if (two_side)
+        text += clamped("back_color");
+    if (key.secondary()) {
+        text += clamped("front_secondary");
+        if (two_side)
+            text += clamped("back_secondary");
     }
-    if (key.texture != BaseFormat::none)
+    if (key.generates(GL_SPHERE_MAP))
+        text += SPHERE_TEXT;
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        if (key.textures[unit].format != BaseFormat::none)
+            text += texture_coordinate_text(key, unit);
+    if (key.fog_mode)
         text +=
-            "    texture_position = " +
-            (key.texture_matrix ? columns_times("texturing", texturing_layout::MATRIX, "texture_coordinate")
-                                : std::string("texture_coordinate")) +
-            ";\n";
+            key.fog_coordinate ? "    fog_distance = fog_coordinate;\n" : "    fog_distance = abs(eye.z);\n";
     if (key.points)
         text += point_text(layout);
     return text + "}\n";
 }
 
-/// Writes the texture environment (OpenGL 1.5, tables 3.22 and 3.23): c is the fragment, t the texel.
-std::string environment_text(const ShaderKey& key)
+/// Fog (OpenGL 1.5, 3.10), with the factors that FOG_FACTORS holds.
+std::string fog_text(const ShaderKey& key)
 {
-    const bool has_color = key.texture != BaseFormat::alpha;
-    const bool has_alpha = key.texture != BaseFormat::rgb && key.texture != BaseFormat::luminance;
-    const std::string environment = at("texturing", texturing_layout::ENVIRONMENT_COLOR);
-    std::string color = "c.rgb", alpha = "c.a";
-    switch (key.texture_environment) {
-    case GL_REPLACE:
-        color = has_color ? "t.rgb" : color;
-        alpha = has_alpha ? "t.a" : alpha;
-        break;
-    case GL_DECAL:
-        if (key.texture == BaseFormat::rgb)
-            color = "t.rgb";
-        else if (key.texture == BaseFormat::rgba)
-            color = "c.rgb * (1.0 - t.a) + t.rgb * t.a";
-        break;
-    case GL_BLEND:
-        if (has_color)
-            color = "c.rgb * (1.0 - t.rgb) + " + environment + ".rgb * t.rgb";
-        if (key.texture == BaseFormat::intensity)
-            alpha = "c.a * (1.0 - t.a) + " + environment + ".a * t.a";
-        else if (has_alpha)
-            alpha = "c.a * t.a";
-        break;
-    default: // GL_MODULATE
-        color = has_color ? "c.rgb * t.rgb" : color;
-        alpha = has_alpha ? "c.a * t.a" : alpha;
-        break;
-    }
-    return "    c = vec4(" + color + ", " + alpha + ");\n";
+    using namespace fragments_layout;
+    const std::string factors = at("fragments", FOG_FACTORS);
+    std::string text;
+    if (key.fog_mode == GL_LINEAR)
+        text = "    float f = fog_distance * " + factors + ".x + " + factors + ".y;\n";
+    else if (key.fog_mode == GL_EXP)
+        text = "    float f = exp2(-(fog_distance * " + factors + ".z));\n";
+    else
+        text = "    float f = fog_distance * " + factors + ".w;\n    f = exp2(-(f * f));\n";
+    return text + "    f = clamp(f, 0.0, 1.0);\n    c.rgb = " + at("fragments", FOG_COLOR) +
+           ".rgb * (1.0 - f) + c.rgb * f;\n";
+}
+
+/// The alpha test (OpenGL 1.5, 4.1.4), on the alpha that a colour buffer of eight bits would hold.
+std::string alpha_text(GLenum func)
+{
+    if (func == GL_NEVER)
+        return "    discard;\n";
+    // GL_NEVER … GL_ALWAYS are in a row; each is the condition to go on.
+    constexpr const char* conditions[] = {"<", "==", "<=", ">", "!=", ">="};
+    return "    if (!(round(clamp(c.a, 0.0, 1.0) * 255.0) " + std::string(conditions[func - GL_LESS]) + " " +
+           at("fragments", fragments_layout::ALPHA_REFERENCE) + ".x))\n        discard;\n";
 }
 
 std::string fragment_text(const ShaderKey& key)
@@ -306,19 +157,24 @@ std::string fragment_text(const ShaderKey& key)
                        "precision highp float;\n"
                        "precision highp sampler2D;\n";
     text += varyings(key, "in");
-    if (key.texture != BaseFormat::none)
-        text += "uniform sampler2D texture_0;\nuniform vec4 texturing[" +
-                std::to_string(texturing_layout::SIZE) + "];\n";
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        if (key.textures[unit].format != BaseFormat::none)
+            text += "uniform sampler2D texture_" + std::to_string(unit) + ";\n";
+    if (key.textured())
+        text += uniforms("texturing", texturing_layout::SIZE);
+    text += uniforms("fragments", fragments_layout::SIZE);
     text += "out vec4 fragment_color;\nvoid main()\n{\n";
     text += two_side ? "    vec4 c = gl_FrontFacing ? front_color : back_color;\n"
                      : "    vec4 c = front_color;\n";
-    if (key.texture != BaseFormat::none) {
-        text += "    vec4 t = textureProj(texture_0, texture_position);\n";
-        text += environment_text(key);
-    }
-    if (key.lighting && key.separate_specular)
+    if (key.textured())
+        text += texture_environment_text(key);
+    if (key.secondary())
         text += two_side ? "    c.rgb += (gl_FrontFacing ? front_secondary : back_secondary).rgb;\n"
                          : "    c.rgb += front_secondary.rgb;\n";
+    if (key.fog_mode)
+        text += fog_text(key);
+    if (key.alpha_func != GL_ALWAYS)
+        text += alpha_text(key.alpha_func);
     return text + "    fragment_color = c;\n}\n";
 }
 

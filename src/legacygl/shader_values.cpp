@@ -145,9 +145,29 @@ void fill_lighting(const State& state, const ShaderKey& key, std::span<glm::vec4
 
 void fill_texturing(const State& state, std::span<glm::vec4> out)
 {
-    out[texturing_layout::ENVIRONMENT_COLOR] = state.texturing.environment_color;
-    for (int i = 0; i < 4; ++i)
-        out[texturing_layout::MATRIX + i] = column(state.transform.texture.top().values(), i);
+    using namespace texturing_layout;
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        const TextureUnit& u = state.texturing.units[unit];
+        glm::vec4* values = &out[unit * UNIT_SIZE];
+        values[ENVIRONMENT_COLOR] = u.environment_color;
+        for (int i = 0; i < 4; ++i) {
+            values[MATRIX + i] = column(state.transform.texture[unit].top().values(), i);
+            values[OBJECT_PLANES + i] = u.generation[i].object_plane;
+            values[EYE_PLANES + i] = u.generation[i].eye_plane;
+        }
+    }
+}
+
+void fill_fragments(const State& state, std::span<glm::vec4> out)
+{
+    using namespace fragments_layout;
+    constexpr float LOG2_E = 1.44269504088896340736f; // 1 / ln 2, for exp2() instead of exp()
+    constexpr float ONE_DIV_SQRT_LN_2 = 1.201122408786449815f;
+    const FogState& fog = state.fog;
+    const float slope = fog.end == fog.start ? 1.0f : -1.0f / (fog.end - fog.start);
+    out[FOG_COLOR] = fog.color;
+    out[FOG_FACTORS] = {slope, fog.end * -slope, fog.density * LOG2_E, fog.density * ONE_DIV_SQRT_LN_2};
+    out[ALPHA_REFERENCE] = glm::vec4(std::floor(state.fragment.alpha_reference * 255.0f + 0.5f));
 }
 
 } // namespace legacygl

@@ -17,4 +17,7 @@ void fill_lighting(const State& state, const ShaderKey& key, std::span<glm::vec4
 /// Fills the uniform array `texturing`; out has texturing_layout::SIZE elements.
 void fill_texturing(const State& state, std::span<glm::vec4> out);
 
+/// Fills the uniform array `fragments`; out has fragments_layout::SIZE elements.
+void fill_fragments(const State& state, std::span<glm::vec4> out);
+
 } // namespace legacygl

@@ -4,6 +4,38 @@
 
 namespace legacygl {
 
+TextureUnit::TextureUnit()
+{
+    combine_rgb.operands = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA};
+    combine_alpha.operands = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
+    generation[0].object_plane = generation[0].eye_plane = {1, 0, 0, 0};
+    generation[1].object_plane = generation[1].eye_plane = {0, 1, 0, 0};
+}
+
+TexturingState::TexturingState()
+{
+    for (std::shared_ptr<Texture>& texture : defaults)
+        texture = std::make_shared<Texture>();
+    defaults[static_cast<int>(TextureTarget::one_dimensional)]->target = GL_TEXTURE_1D;
+}
+
+Texture& TexturingState::bound(const TextureUnit& of, TextureTarget target) const
+{
+    const GLuint name = of.bound[static_cast<int>(target)];
+    return name == 0 ? *defaults[static_cast<int>(target)] : *textures.at(name);
+}
+
+Texture* TexturingState::used(const TextureUnit& of) const
+{
+    for (int target = TEXTURE_TARGET_COUNT; target-- > 0;) {
+        if (!of.enabled[target])
+            continue;
+        Texture& texture = bound(of, static_cast<TextureTarget>(target));
+        return texture.complete() ? &texture : nullptr;
+    }
+    return nullptr;
+}
+
 bool Texture::complete() const
 {
     if (levels.empty() || levels[0].width == 0 || levels[0].height == 0)

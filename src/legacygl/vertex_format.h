@@ -13,7 +13,10 @@ enum class Attribute : std::uint8_t
     position,
     normal,
     color,
-    texture_coordinate,
+    secondary_color,
+    fog_coordinate,
+    texture_coordinate_0,
+    texture_coordinate_1,
     count
 };
 
@@ -30,7 +33,8 @@ using CurrentAttributes = std::array<glm::vec4, ATTRIBUTE_COUNT>;
 /// Returns the initial current values (OpenGL 1.5, table 6.5).
 constexpr CurrentAttributes initial_attributes()
 {
-    return {glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 1, 1), glm::vec4(1, 1, 1, 1), glm::vec4(0, 0, 0, 1)};
+    constexpr glm::vec4 zero = {0, 0, 0, 1};
+    return {zero, glm::vec4(0, 0, 1, 1), glm::vec4(1, 1, 1, 1), zero, glm::vec4(0, 0, 0, 1), zero, zero};
 }
 
 /// How many floats of each attribute a vertex holds, in the order of Attribute, interleaved.
@@ -56,6 +60,14 @@ struct VertexFormat
     bool has(Attribute attribute) const { return components[index_of(attribute)] != 0; }
     bool operator==(const VertexFormat&) const = default;
 };
+
+constexpr int TEXTURE_UNIT_COUNT = 2;
+
+/// Returns the attribute that carries a unit's texture coordinates.
+constexpr Attribute texture_coordinate(int unit)
+{
+    return static_cast<Attribute>(index_of(Attribute::texture_coordinate_0) + unit);
+}
 
 constexpr int MAXIMUM_VERTEX_FLOATS = 4 * ATTRIBUTE_COUNT;
 

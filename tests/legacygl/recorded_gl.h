@@ -64,7 +64,7 @@ private:
         const std::vector<glm::vec4>& m = draw.uniforms[0];
         const glm::vec4 p = values[0];
         return {p.x * m[0] + p.y * m[1] + p.z * m[2] + p.w * m[3], glm::vec4(glm::vec3(values[1]), 0),
-                values[2], values[3]};
+                values[2], values[index_of(Attribute::texture_coordinate_0)]};
     }
 };
 

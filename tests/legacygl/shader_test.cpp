@@ -32,12 +32,12 @@ TEST_F(Shader, LightsInObjectSpaceWhereThatIsTheSame)
 TEST_F(Shader, ATextureThatIsNotCompleteIsOff)
 {
     glEnable(GL_TEXTURE_2D);
-    EXPECT_EQ(key().texture, BaseFormat::none);
+    EXPECT_EQ(key().textures[0].format, BaseFormat::none);
     const GLubyte pixels[16] = {};
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-    EXPECT_EQ(key().texture, BaseFormat::none) << "the minifying filter asks for mipmaps";
+    EXPECT_EQ(key().textures[0].format, BaseFormat::none) << "the minifying filter asks for mipmaps";
     glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-    EXPECT_EQ(key().texture, BaseFormat::rgba);
+    EXPECT_EQ(key().textures[0].format, BaseFormat::rgba);
 }
 
 TEST_F(Shader, OneKeyHasOneTextAndOtherKeysHaveOthers)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "legacygl/primitives.h"
+#include "legacygl/state/fragment.h"
 #include "legacygl/vertex_format.h"
 
 #include <legacygl/legacygl.h>
@@ -26,16 +27,15 @@ enum class UniformGroup : std::uint8_t
     transform,
     lighting,
     texturing,
+    fragments,
     count
 };
 constexpr int UNIFORM_GROUP_COUNT = static_cast<int>(UniformGroup::count);
 constexpr std::array<const char*, UNIFORM_GROUP_COUNT> UNIFORM_GROUP_NAMES = {"transform", "lighting",
-                                                                              "texturing"};
-
-constexpr int TEXTURE_UNIT_COUNT = 1;
+                                                                              "texturing", "fragments"};
 
 /// GLSL ES 3.00 text of a program. Attributes are at the locations of Attribute, samplers are named
-/// texture_0 …, uniform arrays as in UNIFORM_GROUP_NAMES.
+/// texture_0 and texture_1, uniform arrays as in UNIFORM_GROUP_NAMES.
 struct ProgramText
 {
     std::string vertex;
@@ -60,9 +60,12 @@ struct Pipeline
     bool cull_face = false;
     GLenum cull_face_mode = GL_BACK;
     GLenum front_face = GL_CCW;
-    bool blend = false;
-    GLenum blend_source = GL_ONE;
-    GLenum blend_destination = GL_ZERO;
+    bool scissor_test = false;
+    std::array<GLint, 4> scissor_box{};
+    StencilState stencil;
+    BlendState blend;
+    bool polygon_offset = false;
+    std::array<GLfloat, 2> polygon_offset_factor_units{0, 0};
     std::array<bool, 4> color_mask{true, true, true, true};
     bool dither = true;
     GLfloat line_width = 1;

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -75,7 +76,9 @@ public:
         for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
             program.locations[i] = gl_.GetUniformLocation(program.name, UNIFORM_GROUP_NAMES[i]);
         gl_.UseProgram(program.name);
-        gl_.Uniform1i(gl_.GetUniformLocation(program.name, "texture_0"), 0);
+        for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+            gl_.Uniform1i(gl_.GetUniformLocation(program.name, ("texture_" + std::to_string(unit)).c_str()),
+                          unit);
         used_program_ = 0;
         ++counters.programs;
         return add(programs_, program);
@@ -113,8 +116,9 @@ public:
     void destroy_texture(TextureId id) override
     {
         gl_.DeleteTextures(1, &id);
-        if (bound_texture_ == id)
-            bound_texture_ = 0;
+        for (TextureId& bound : bound_textures_)
+            if (bound == id)
+                bound = 0;
     }
 
     void texture_image(TextureId id, int level, int width, int height,
@@ -221,7 +225,6 @@ private:
     {
         gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-        gl_.ActiveTexture(GL_TEXTURE0);
         forget_state();
     }
 
@@ -229,7 +232,8 @@ private:
     {
         pipeline_.reset();
         used_program_ = 0;
-        bound_texture_ = 0;
+        bound_textures_ = {};
+        active_unit_ = -1;
         bound_vertex_array_ = 0;
         constants_ = {};
     }
@@ -299,16 +303,38 @@ private:
         bound_vertex_array_ = name;
     }
 
-    void bind_texture(TextureId id)
+    /// Binds the texture to the unit, which is then the active one if anything had to be done.
+    void bind_texture(TextureId id, int unit = 0)
     {
-        if (bound_texture_ != id)
+        if (bound_textures_[unit] == id && (active_unit_ == unit))
+            return;
+        if (active_unit_ != unit)
+            gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        active_unit_ = unit;
+        if (bound_textures_[unit] != id)
             gl_.BindTexture(GL_TEXTURE_2D, id);
-        bound_texture_ = id;
+        bound_textures_[unit] = id;
     }
 
     void set_enabled(GLenum capability, bool enabled)
     {
         enabled ? gl_.Enable(capability) : gl_.Disable(capability);
+    }
+
+    void apply(const StencilState& s)
+    {
+        set_enabled(GL_STENCIL_TEST, s.enabled);
+        gl_.StencilFunc(s.func, s.reference, s.value_mask);
+        gl_.StencilOp(s.fail, s.depth_fail, s.depth_pass);
+        gl_.StencilMask(s.write_mask);
+    }
+
+    void apply(const BlendState& b)
+    {
+        set_enabled(GL_BLEND, b.enabled);
+        gl_.BlendFuncSeparate(b.source_rgb, b.destination_rgb, b.source_alpha, b.destination_alpha);
+        gl_.BlendEquation(b.equation);
+        gl_.BlendColor(b.color.r, b.color.g, b.color.b, b.color.a);
     }
 
     void apply(const Pipeline& p)
@@ -333,10 +359,18 @@ private:
             gl_.CullFace(p.cull_face_mode);
         if (all || old.front_face != p.front_face)
             gl_.FrontFace(p.front_face);
-        if (all || old.blend != p.blend)
-            set_enabled(GL_BLEND, p.blend);
-        if (all || old.blend_source != p.blend_source || old.blend_destination != p.blend_destination)
-            gl_.BlendFunc(p.blend_source, p.blend_destination);
+        if (all || old.scissor_test != p.scissor_test)
+            set_enabled(GL_SCISSOR_TEST, p.scissor_test);
+        if (all || old.scissor_box != p.scissor_box)
+            gl_.Scissor(p.scissor_box[0], p.scissor_box[1], p.scissor_box[2], p.scissor_box[3]);
+        if (all || !(old.stencil == p.stencil))
+            apply(p.stencil);
+        if (all || !(old.blend == p.blend))
+            apply(p.blend);
+        if (all || old.polygon_offset != p.polygon_offset)
+            set_enabled(GL_POLYGON_OFFSET_FILL, p.polygon_offset);
+        if (all || old.polygon_offset_factor_units != p.polygon_offset_factor_units)
+            gl_.PolygonOffset(p.polygon_offset_factor_units[0], p.polygon_offset_factor_units[1]);
         if (all || old.color_mask != p.color_mask)
             gl_.ColorMask(p.color_mask[0], p.color_mask[1], p.color_mask[2], p.color_mask[3]);
         if (all || old.dither != p.dither)
@@ -374,8 +408,9 @@ private:
                            &values.values.front().x);
             ++counters.uniform_uploads;
         }
-        if (state.textures[0] != 0)
-            bind_texture(state.textures[0]);
+        for (int unit = TEXTURE_UNIT_COUNT; unit-- > 0;)
+            if (state.textures[unit] != 0)
+                bind_texture(state.textures[unit], unit);
         apply(state.pipeline);
         apply_constants(state, format);
         return program.name != 0;
@@ -406,7 +441,8 @@ private:
     std::optional<Pipeline> pipeline_; ///< What ES has now; empty when that is not known.
     std::array<std::optional<glm::vec4>, ATTRIBUTE_COUNT> constants_;
     GLuint used_program_ = 0;
-    GLuint bound_texture_ = 0;
+    std::array<TextureId, TEXTURE_UNIT_COUNT> bound_textures_{};
+    int active_unit_ = -1; ///< -1: not known.
     GLuint bound_vertex_array_ = 0;
 };
 

@@ -25,7 +25,9 @@ namespace legacygl {
     X(void, BindRenderbuffer, (GLenum, GLuint))                                                              \
     X(void, BindTexture, (GLenum, GLuint))                                                                   \
     X(void, BindVertexArray, (GLuint))                                                                       \
-    X(void, BlendFunc, (GLenum, GLenum))                                                                     \
+    X(void, BlendColor, (GLfloat, GLfloat, GLfloat, GLfloat))                                                \
+    X(void, BlendEquation, (GLenum))                                                                         \
+    X(void, BlendFuncSeparate, (GLenum, GLenum, GLenum, GLenum))                                             \
     X(void, BlitFramebuffer, (GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum))   \
     X(void, BufferData, (GLenum, GLsizeiptr, const void*, GLenum))                                           \
     X(void, BufferSubData, (GLenum, GLintptr, GLsizeiptr, const void*))                                      \
@@ -75,8 +77,13 @@ namespace legacygl {
     X(void, LineWidth, (GLfloat))                                                                            \
     X(void, LinkProgram, (GLuint))                                                                           \
     X(void, PixelStorei, (GLenum, GLint))                                                                    \
+    X(void, PolygonOffset, (GLfloat, GLfloat))                                                               \
     X(void, ReadPixels, (GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*))                             \
     X(void, RenderbufferStorage, (GLenum, GLenum, GLsizei, GLsizei))                                         \
+    X(void, Scissor, (GLint, GLint, GLsizei, GLsizei))                                                       \
+    X(void, StencilFunc, (GLenum, GLint, GLuint))                                                            \
+    X(void, StencilMask, (GLuint))                                                                           \
+    X(void, StencilOp, (GLenum, GLenum, GLenum))                                                             \
     X(void, ShaderSource, (GLuint, GLsizei, const char* const*, const GLint*))                               \
     X(void, TexImage2D, (GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*))        \
     X(void, TexParameteri, (GLenum, GLenum, GLint))                                                          \

@@ -103,6 +103,8 @@ void Es3Target::present()
         gl_.Disable(GL_BLEND);
         gl_.Disable(GL_DEPTH_TEST);
         gl_.Disable(GL_CULL_FACE);
+        gl_.Disable(GL_SCISSOR_TEST);
+        gl_.Disable(GL_STENCIL_TEST);
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         gl_.Viewport(0, 0, width_, height_);
         gl_.UseProgram(copy_program_);

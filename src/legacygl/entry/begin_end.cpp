@@ -147,40 +147,40 @@ COLOR(ui, GLuint)
 #define TEX_COORD(suffix, type)                                                                              \
     void glTexCoord1##suffix(type s)                                                                         \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord1" #suffix, 2, {number(s), 0, 0, 1});              \
+        current<Attribute::texture_coordinate_0>("glTexCoord1" #suffix, 2, {number(s), 0, 0, 1});            \
     }                                                                                                        \
     void glTexCoord2##suffix(type s, type t)                                                                 \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord2" #suffix, 2, {number(s), number(t), 0, 1});      \
+        current<Attribute::texture_coordinate_0>("glTexCoord2" #suffix, 2, {number(s), number(t), 0, 1});    \
     }                                                                                                        \
     void glTexCoord3##suffix(type s, type t, type r)                                                         \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord3" #suffix, 3,                                     \
-                                               {number(s), number(t), number(r), 1});                        \
+        current<Attribute::texture_coordinate_0>("glTexCoord3" #suffix, 3,                                   \
+                                                 {number(s), number(t), number(r), 1});                      \
     }                                                                                                        \
     void glTexCoord4##suffix(type s, type t, type r, type q)                                                 \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord4" #suffix, 4,                                     \
-                                               {number(s), number(t), number(r), number(q)});                \
+        current<Attribute::texture_coordinate_0>("glTexCoord4" #suffix, 4,                                   \
+                                                 {number(s), number(t), number(r), number(q)});              \
     }                                                                                                        \
     void glTexCoord1##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord1" #suffix "v", 2, {number(v[0]), 0, 0, 1});       \
+        current<Attribute::texture_coordinate_0>("glTexCoord1" #suffix "v", 2, {number(v[0]), 0, 0, 1});     \
     }                                                                                                        \
     void glTexCoord2##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord2" #suffix "v", 2,                                 \
-                                               {number(v[0]), number(v[1]), 0, 1});                          \
+        current<Attribute::texture_coordinate_0>("glTexCoord2" #suffix "v", 2,                               \
+                                                 {number(v[0]), number(v[1]), 0, 1});                        \
     }                                                                                                        \
     void glTexCoord3##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord3" #suffix "v", 3,                                 \
-                                               {number(v[0]), number(v[1]), number(v[2]), 1});               \
+        current<Attribute::texture_coordinate_0>("glTexCoord3" #suffix "v", 3,                               \
+                                                 {number(v[0]), number(v[1]), number(v[2]), 1});             \
     }                                                                                                        \
     void glTexCoord4##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate>("glTexCoord4" #suffix "v", 4,                                 \
-                                               {number(v[0]), number(v[1]), number(v[2]), number(v[3])});    \
+        current<Attribute::texture_coordinate_0>("glTexCoord4" #suffix "v", 4,                               \
+                                                 {number(v[0]), number(v[1]), number(v[2]), number(v[3])});  \
     }
 TEX_COORD(s, GLshort)
 TEX_COORD(i, GLint)

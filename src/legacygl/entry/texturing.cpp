@@ -1,4 +1,4 @@
-// 2D textures (OpenGL 1.5, 3.8).
+// Textures, their images and parameters (OpenGL 1.5, 3.8).
 
 #include "legacygl/component.h"
 #include "legacygl/dispatch.h"
@@ -15,8 +15,19 @@ constexpr int MAXIMUM_TEXTURE_SIZE = 2048; // WebGL 2's least.
 
 using Values = std::array<float, 4>;
 
-void set_image(Context& gl, GLint level, GLint internal_format, GLsizei width, GLsizei height, GLint border,
-               GLenum format, GLenum type, const PixelStore& store, const Blob& pixels)
+bool is_target(GLenum target)
+{
+    return target == GL_TEXTURE_1D || target == GL_TEXTURE_2D;
+}
+
+/// target is one of is_target().
+Texture& bound(Context& gl, GLenum target)
+{
+    return gl.state.texturing.bound(static_cast<TextureTarget>(target - GL_TEXTURE_1D));
+}
+
+void set_image(Context& gl, GLenum target, GLint level, GLint internal_format, GLsizei width, GLsizei height,
+               GLint border, GLenum format, GLenum type, const PixelStore& store, const Blob& pixels)
 {
     const BaseFormat base = base_format(internal_format);
     if (base == BaseFormat::none || level < 0 || level > 11 || border < 0 || border > 1 || width < 0 ||
@@ -24,11 +35,11 @@ void set_image(Context& gl, GLint level, GLint internal_format, GLsizei width, G
         return gl.set_error(GL_INVALID_VALUE);
     if (values_per_pixel(format) == 0 || bytes_per_value(type) == 0)
         return gl.set_error(GL_INVALID_ENUM);
-    Texture& texture = gl.state.texturing.bound();
+    Texture& texture = bound(gl, target);
     if (texture.levels.size() <= static_cast<std::size_t>(level))
         texture.levels.resize(level + 1);
     TextureImage& image = texture.levels[level];
-    image = {internal_format, width, height, {}};
+    image = {internal_format, width, height, border, {}};
     if (pixels.data)
         image.rgba = unpack_texture(store, width, height, format, type, base,
                                     static_cast<const std::uint8_t*>(pixels.data));
@@ -51,9 +62,9 @@ bool is_wrap_mode(GLenum mode)
 
 void set_parameter(Context& gl, GLenum target, GLenum name, const Values& v)
 {
-    if (target != GL_TEXTURE_2D)
+    if (!is_target(target))
         return gl.set_error(GL_INVALID_ENUM);
-    Texture& texture = gl.state.texturing.bound();
+    Texture& texture = bound(gl, target);
     const auto value = static_cast<GLenum>(v[0]);
     const auto set = [&](GLenum& member, bool good) {
         if (!good)
@@ -82,26 +93,9 @@ void set_parameter(Context& gl, GLenum target, GLenum name, const Values& v)
     }
 }
 
-void set_environment(Context& gl, GLenum target, GLenum name, const Values& v)
-{
-    if (target != GL_TEXTURE_ENV)
-        return gl.set_error(GL_INVALID_ENUM);
-    gl.renderer.changed(Renderer::texturing);
-    if (name == GL_TEXTURE_ENV_COLOR) {
-        for (int i = 0; i < 4; ++i)
-            gl.state.texturing.environment_color[i] = std::clamp(v[i], 0.0f, 1.0f);
-        return;
-    }
-    const auto mode = static_cast<GLenum>(v[0]);
-    if (name != GL_TEXTURE_ENV_MODE ||
-        (mode != GL_MODULATE && mode != GL_DECAL && mode != GL_BLEND && mode != GL_REPLACE))
-        return gl.set_error(GL_INVALID_ENUM);
-    gl.state.texturing.environment_mode = mode;
-}
-
 template <class T> Values read(GLenum name, const T* params)
 {
-    const bool is_color = name == GL_TEXTURE_BORDER_COLOR || name == GL_TEXTURE_ENV_COLOR;
+    const bool is_color = name == GL_TEXTURE_BORDER_COLOR;
     Values values{};
     for (int i = 0; i < (is_color ? 4 : 1); ++i)
         values[i] = is_color ? component(params[i]) : static_cast<float>(params[i]);
@@ -111,11 +105,6 @@ template <class T> Values read(GLenum name, const T* params)
 template <class T> void parameter(const char* entry, GLenum target, GLenum name, const T* params)
 {
     dispatch(entry, set_parameter, target, name, read(name, params));
-}
-
-template <class T> void environment(const char* entry, GLenum target, GLenum name, const T* params)
-{
-    dispatch(entry, set_environment, target, name, read(name, params));
 }
 
 } // namespace
@@ -152,8 +141,10 @@ void glDeleteTextures(GLsizei n, const GLuint* textures)
             for (GLsizei i = 0; i < count; ++i) {
                 if (textures[i] == 0)
                     continue;
-                if (state.bound_2d == textures[i])
-                    state.bound_2d = 0;
+                for (TextureUnit& unit : state.units)
+                    for (GLuint& name : unit.bound)
+                        if (name == textures[i])
+                            name = 0;
                 state.textures.erase(textures[i]);
             }
             gl.renderer.changed(Renderer::texturing);
@@ -179,12 +170,18 @@ void glBindTexture(GLenum target, GLuint texture)
     dispatch(
         __func__,
         [](Context& gl, GLenum t, GLuint name) {
-            if (t != GL_TEXTURE_2D)
+            if (!is_target(t))
                 return gl.set_error(GL_INVALID_ENUM);
-            std::shared_ptr<Texture>& object = gl.state.texturing.textures[name];
-            if (!object)
-                object = std::make_shared<Texture>();
-            gl.state.texturing.bound_2d = name;
+            if (name != 0) {
+                std::shared_ptr<Texture>& object = gl.state.texturing.textures[name];
+                if (!object) {
+                    object = std::make_shared<Texture>();
+                    object->target = t;
+                }
+                if (object->target != t)
+                    return gl.set_error(GL_INVALID_OPERATION);
+            }
+            gl.state.texturing.unit().bound[t - GL_TEXTURE_1D] = name;
             gl.renderer.changed(Renderer::texturing);
         },
         target, texture);
@@ -203,9 +200,27 @@ void glTexImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei widt
            const PixelStore& s, const Blob& data) {
             if (t != GL_TEXTURE_2D)
                 return gl.set_error(GL_INVALID_ENUM);
-            set_image(gl, l, internal, w, h, b, f, ty, s, data);
+            set_image(gl, t, l, internal, w, h, b, f, ty, s, data);
         },
         target, level, internalFormat, width, height, border, format, type, store, Blob{pixels, size});
+}
+
+void glTexImage1D(GLenum target, GLint level, GLint internalFormat, GLsizei width, GLint border,
+                  GLenum format, GLenum type, const GLvoid* pixels)
+{
+    if (!current_context)
+        return;
+    const PixelStore store = current_context->state.unpack;
+    const std::size_t size = pixels ? client_image_bytes(store, width, 1, format, type) : 0;
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum t, GLint l, GLint internal, GLsizei w, GLint b, GLenum f, GLenum ty,
+           const PixelStore& s, const Blob& data) {
+            if (t != GL_TEXTURE_1D)
+                return gl.set_error(GL_INVALID_ENUM);
+            set_image(gl, t, l, internal, w, 1, b, f, ty, s, data);
+        },
+        target, level, internalFormat, width, border, format, type, store, Blob{pixels, size});
 }
 
 void glTexParameterf(GLenum target, GLenum pname, GLfloat param)
@@ -226,26 +241,6 @@ void glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params)
 void glTexParameteriv(GLenum target, GLenum pname, const GLint* params)
 {
     parameter(__func__, target, pname, params);
-}
-
-void glTexEnvf(GLenum target, GLenum pname, GLfloat param)
-{
-    environment(__func__, target, pname, std::array<GLfloat, 4>{param}.data());
-}
-
-void glTexEnvi(GLenum target, GLenum pname, GLint param)
-{
-    environment(__func__, target, pname, std::array<GLint, 4>{param}.data());
-}
-
-void glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params)
-{
-    environment(__func__, target, pname, params);
-}
-
-void glTexEnviv(GLenum target, GLenum pname, const GLint* params)
-{
-    environment(__func__, target, pname, params);
 }
 
 } // extern "C"

@@ -15,6 +15,51 @@ struct RasterState
     GLenum front_face = GL_CCW;
     GLfloat line_width = 1;
     GLfloat point_size = 1;
+    bool polygon_offset_fill = false;
+    bool polygon_offset_line = false;
+    bool polygon_offset_point = false;
+    GLfloat polygon_offset_factor = 0;
+    GLfloat polygon_offset_units = 0;
+};
+
+/// The stencil test (OpenGL 1.5, table 6.18).
+struct StencilState
+{
+    bool enabled = false;
+    GLenum func = GL_ALWAYS;
+    GLint reference = 0;
+    GLuint value_mask = ~0u;
+    GLenum fail = GL_KEEP;
+    GLenum depth_fail = GL_KEEP;
+    GLenum depth_pass = GL_KEEP;
+    GLuint write_mask = ~0u;
+    bool operator==(const StencilState&) const = default;
+};
+
+/// Blending (OpenGL 1.5, table 6.19).
+struct BlendState
+{
+    bool enabled = false;
+    GLenum source_rgb = GL_ONE;
+    GLenum destination_rgb = GL_ZERO;
+    GLenum source_alpha = GL_ONE;
+    GLenum destination_alpha = GL_ZERO;
+    GLenum equation = GL_FUNC_ADD;
+    glm::vec4 color{0, 0, 0, 0};
+    bool operator==(const BlendState&) const = default;
+};
+
+/// OpenGL 1.5, table 6.10.
+struct FogState
+{
+    bool enabled = false;
+    GLenum mode = GL_EXP;
+    GLenum coordinate_source = GL_FRAGMENT_DEPTH;
+    glm::vec4 color{0, 0, 0, 0};
+    GLfloat density = 1;
+    GLfloat start = 0;
+    GLfloat end = 1;
+    GLfloat index = 0;
 };
 
 /// OpenGL 1.5, tables 6.18 to 6.20.
@@ -22,9 +67,13 @@ struct FragmentState
 {
     bool depth_test = false;
     GLenum depth_func = GL_LESS;
-    bool blend = false;
-    GLenum blend_source = GL_ONE;
-    GLenum blend_destination = GL_ZERO;
+    bool scissor_test = false;
+    std::array<GLint, 4> scissor_box{};
+    bool alpha_test = false;
+    GLenum alpha_func = GL_ALWAYS;
+    GLfloat alpha_reference = 0;
+    StencilState stencil;
+    BlendState blend;
     bool dither = true;
     bool depth_mask = true;
     std::array<bool, 4> color_mask{true, true, true, true};

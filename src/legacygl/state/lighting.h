@@ -53,6 +53,7 @@ struct LightingState
 
     bool enabled = false;
     GLenum shade_model = GL_SMOOTH;
+    bool color_sum = false; ///< Adds the secondary colour where there is no lighting.
     bool color_material = false;
     GLenum color_material_face = GL_FRONT_AND_BACK;
     GLenum color_material_mode = GL_AMBIENT_AND_DIFFUSE;

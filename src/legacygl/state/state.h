@@ -17,6 +17,7 @@ struct State
     LightingState lighting;
     RasterState raster;
     TexturingState texturing;
+    FogState fog;
     FragmentState fragment;
     PixelStore pack;
     PixelStore unpack;

@@ -5,6 +5,7 @@
 #include <GL/gl.h>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -18,15 +19,18 @@ struct TextureImage
     GLint internal_format = 1;
     int width = 0;
     int height = 0;
+    int border = 0;
     std::vector<std::uint8_t> rgba;
 };
 
-/// A 2D texture (OpenGL 1.5, tables 6.15 and 6.16).
+/// A 1D or 2D texture (OpenGL 1.5, tables 6.15 and 6.16); a 1D texture is one texel high.
 struct Texture
 {
+    GLenum target = GL_TEXTURE_2D;
     std::vector<TextureImage> levels;
     Sampling sampling;
     glm::vec4 border_color{0, 0, 0, 0};
+    GLfloat priority = 1;
     bool generate_mipmap = false;
 
     TextureObject object;         ///< The backend's texture, made at the first use.
@@ -37,22 +41,74 @@ struct Texture
     bool complete() const;
 };
 
+/// The targets of textures, in rising precedence (OpenGL 1.5, 3.8.16).
+enum class TextureTarget : std::uint8_t
+{
+    one_dimensional,
+    two_dimensional,
+    count
+};
+constexpr int TEXTURE_TARGET_COUNT = static_cast<int>(TextureTarget::count);
+
+/// How one texture coordinate is generated (OpenGL 1.5, 2.11.4).
+struct TextureGeneration
+{
+    bool enabled = false;
+    GLenum mode = GL_EYE_LINEAR;
+    glm::vec4 object_plane{0, 0, 0, 0};
+    glm::vec4 eye_plane{0, 0, 0, 0};
+};
+
+/// One half (colours or alpha) of the combine environment (OpenGL 1.5, table 3.24).
+struct Combine
+{
+    GLenum function = GL_MODULATE;
+    std::array<GLenum, 3> sources{GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
+    std::array<GLenum, 3> operands{};
+    GLfloat scale = 1;
+    bool operator==(const Combine&) const = default;
+};
+
+/// What each texture unit has of its own (OpenGL 1.5, table 6.17).
+struct TextureUnit
+{
+    TextureUnit();
+
+    std::array<bool, TEXTURE_TARGET_COUNT> enabled{};
+    std::array<GLuint, TEXTURE_TARGET_COUNT> bound{};
+    GLenum environment_mode = GL_MODULATE;
+    glm::vec4 environment_color{0, 0, 0, 0};
+    Combine combine_rgb;
+    Combine combine_alpha;
+    std::array<TextureGeneration, 4> generation; ///< s, t, r, q
+};
+
 /// OpenGL 1.5, tables 6.14 to 6.17.
 struct TexturingState
 {
-    bool enabled_2d = false;
-    GLuint bound_2d = 0;
-    std::map<GLuint, std::shared_ptr<Texture>> textures{{0u, std::make_shared<Texture>()}};
-    GLenum environment_mode = GL_MODULATE;
-    glm::vec4 environment_color{0, 0, 0, 0};
+    TexturingState();
 
-    Texture& bound() { return *textures.at(bound_2d); }
-    const Texture& bound() const { return *textures.at(bound_2d); }
+    std::array<TextureUnit, TEXTURE_UNIT_COUNT> units;
+    int active = 0;
+    int client_active = 0;
+    std::map<GLuint, std::shared_ptr<Texture>> textures; ///< A name without a texture is only reserved.
+    std::array<std::shared_ptr<Texture>, TEXTURE_TARGET_COUNT> defaults; ///< Of the name 0.
+
+    TextureUnit& unit() { return units[active]; }
+    const TextureUnit& unit() const { return units[active]; }
+    /// Returns the texture bound to a target of a unit.
+    Texture& bound(const TextureUnit& unit, TextureTarget target) const;
+    Texture& bound(TextureTarget target) const { return bound(unit(), target); }
+    /// Returns the texture that the unit draws with: the enabled target of the highest precedence, if its
+    /// texture is complete; else null.
+    Texture* used(const TextureUnit& unit) const;
 };
 
 /// OpenGL 1.5, table 6.21: how client memory is read and written.
 struct PixelStore
 {
+    bool swap_bytes = false;
+    bool lsb_first = false;
     GLint alignment = 4;
     GLint row_length = 0;
     GLint skip_rows = 0;

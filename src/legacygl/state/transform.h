@@ -1,6 +1,7 @@
 #pragma once
 
 #include "legacygl/matrix.h"
+#include "legacygl/vertex_format.h"
 
 #include <GL/gl.h>
 
@@ -49,7 +50,7 @@ struct TransformState
 {
     MatrixStack modelview{32};
     MatrixStack projection{32};
-    MatrixStack texture{32};
+    std::array<MatrixStack, TEXTURE_UNIT_COUNT> texture{MatrixStack(32), MatrixStack(32)};
     GLenum matrix_mode = GL_MODELVIEW;
     std::array<GLint, 4> viewport{};
     std::array<GLfloat, 2> depth_range{0, 1};

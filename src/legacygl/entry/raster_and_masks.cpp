@@ -1,4 +1,4 @@
-// Rasterising and per-fragment state, clearing and finishing (OpenGL 1.5, chapters 3 and 4).
+// Rasterising state, masks, clearing and finishing (OpenGL 1.5, 3.3 to 3.5 and 4.2).
 
 #include "legacygl/dispatch.h"
 
@@ -11,27 +11,6 @@ namespace {
 bool is_face(GLenum face)
 {
     return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
-}
-
-bool is_blend_factor(GLenum factor, bool source)
-{
-    switch (factor) {
-    case GL_ZERO:
-    case GL_ONE:
-    case GL_SRC_COLOR:
-    case GL_ONE_MINUS_SRC_COLOR:
-    case GL_DST_COLOR:
-    case GL_ONE_MINUS_DST_COLOR:
-    case GL_SRC_ALPHA:
-    case GL_ONE_MINUS_SRC_ALPHA:
-    case GL_DST_ALPHA:
-    case GL_ONE_MINUS_DST_ALPHA:
-        return true;
-    case GL_SRC_ALPHA_SATURATE:
-        return source;
-    default:
-        return false;
-    }
 }
 
 } // namespace
@@ -90,17 +69,16 @@ void glPointSize(GLfloat size)
         size);
 }
 
-void glDepthFunc(GLenum func)
+void glPolygonOffset(GLfloat factor, GLfloat units)
 {
     dispatch(
         __func__,
-        [](Context& gl, GLenum f) {
-            if (f < GL_NEVER || f > GL_ALWAYS)
-                return gl.set_error(GL_INVALID_ENUM);
-            gl.state.fragment.depth_func = f;
+        [](Context& gl, float f, float u) {
+            gl.state.raster.polygon_offset_factor = f;
+            gl.state.raster.polygon_offset_units = u;
             gl.renderer.changed(Renderer::pipeline);
         },
-        func);
+        factor, units);
 }
 
 void glDepthMask(GLboolean flag)
@@ -125,18 +103,15 @@ void glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha
         red, green, blue, alpha);
 }
 
-void glBlendFunc(GLenum sfactor, GLenum dfactor)
+void glStencilMask(GLuint mask)
 {
     dispatch(
         __func__,
-        [](Context& gl, GLenum source, GLenum destination) {
-            if (!is_blend_factor(source, true) || !is_blend_factor(destination, false))
-                return gl.set_error(GL_INVALID_ENUM);
-            gl.state.fragment.blend_source = source;
-            gl.state.fragment.blend_destination = destination;
+        [](Context& gl, GLuint m) {
+            gl.state.fragment.stencil.write_mask = m;
             gl.renderer.changed(Renderer::pipeline);
         },
-        sfactor, dfactor);
+        mask);
 }
 
 void glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha)

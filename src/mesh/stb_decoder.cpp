@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 
-// The only file that includes stb_image. On damaged files it does what C++ leaves undefined; compiler options (see
-// CMakeLists.txt) make that harmless, and the same natively and on the web:
+// The only file that includes stb_image. On damaged files it does what C++ leaves undefined; compiler options
+// (see CMakeLists.txt) make that harmless, and the same natively and on the web:
 // - its cosine transform overflows its integers (-fwrapv);
 // - it copies no bytes to a null pointer (-fno-delete-null-pointer-checks);
-// - it looks up colours behind the end of a short palette, which were never set (-ftrivial-auto-var-init=zero).
+// - it looks up colours behind the end of a short palette, which were never set
+// (-ftrivial-auto-var-init=zero).
 
 namespace {
 
@@ -27,16 +29,20 @@ void allow_blocks_for(const mesh::ImageHeader& header, std::size_t file_bytes)
         tables;
 }
 
-// Zeroed: where a damaged JPEG leaves part of the picture out, the result must not depend on what was in
+// Zeroed: where a damaged file leaves part of a picture out, the result must not depend on what was in
 // memory.
 void* allocate(std::size_t size)
 {
     return size <= largest_block ? std::calloc(1, size) : nullptr;
 }
 
-void* reallocate(void* block, std::size_t size)
+void* reallocate(void* block, std::size_t old_size, std::size_t size)
 {
-    return size <= largest_block ? std::realloc(block, size) : nullptr;
+    void* moved = size <= largest_block ? std::realloc(block, size) : nullptr;
+    const std::size_t kept = block != nullptr ? old_size : 0;
+    if (moved != nullptr && size > kept)
+        std::memset(static_cast<std::uint8_t*>(moved) + kept, 0, size - kept);
+    return moved;
 }
 
 } // namespace
@@ -50,7 +56,7 @@ void* reallocate(void* block, std::size_t size)
 #define STBI_NO_SIMD // its decoders for SSE2 and NEON round differently from the one the web gets
 #define STBI_MAX_DIMENSIONS mesh::max_image_side
 #define STBI_MALLOC(size) allocate(size)
-#define STBI_REALLOC(block, size) reallocate(block, size)
+#define STBI_REALLOC_SIZED(block, old_size, size) reallocate(block, old_size, size)
 #define STBI_FREE(block) std::free(block)
 #include <stb/stb_image.h>
 

@@ -53,6 +53,7 @@ int main(int argument_count, char** arguments)
         jpeg_file(sample_picture(17, 9, 3), 90),
         jpeg_file(sample_picture(17, 9, 3), 40),
         jpeg_file(sample_picture(8, 8, 1), 50),
+        progressive_jpeg(),
         tga_file(sample_picture(9, 5, 3), false, false),
         tga_file(sample_picture(9, 5, 4), true, true),
         {0, 1, 1, 0, 0, 2, 0, 24, 0, 0, 0, 0, 2, 0, 1, 0, 8, 0, 3, 2, 1, 60, 50, 40, 1, 0},

@@ -90,6 +90,7 @@ TEST(Mutations, OfImagesAreReadOrRefusedInASentence)
     const std::vector<Bytes> originals = {
         png_file(picture),
         jpeg_file(picture, 80),
+        progressive_jpeg(),
         tga_file(picture, false, false),
         tga_file(sample_picture(23, 9, 4), true, true),
         raw_png(3, 2, 8, 3, {{1, 0, 1}, {0, 0, 1}}, palette),

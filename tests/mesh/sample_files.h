@@ -29,6 +29,11 @@ Picture sample_picture(int width, int height, int channels);
 Bytes png_file(const Picture& picture);
 Bytes jpeg_file(const Picture& picture, int quality);
 
+/// A baseline JPEG and the same one as a progressive JPEG, made from it by jpegtran; they decode to the same
+/// pixels.
+Bytes baseline_jpeg();
+Bytes progressive_jpeg();
+
 /// A TGA of 24 bits (3 channels) or 32 (4), as its header says: from the bottom up or from the top down.
 Bytes tga_file(const Picture& picture, bool run_length_encoded, bool from_the_bottom);
 

@@ -43,8 +43,16 @@ inline ClosestPoint closest_point_on_ray(const glm::dvec3& p, const glm::dvec3& 
 /// Ericson, Real-Time Collision Detection (2005), 5.1.2.
 inline ClosestPoint closest_point_on_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b)
 {
-    const ClosestPoint on_ray = closest_point_on_ray(p, a, b - a);
-    return on_ray.parameter < 1.0 ? on_ray : ClosestPoint{b, 1.0};
+    const glm::dvec3 direction = b - a;
+    const double along = glm::dot(p - a, direction);
+    if (!(along > 0.0)) {
+        return {a, 0.0};
+    }
+    const double square = glm::dot(direction, direction);
+    if (along >= square) {
+        return {b, 1.0};
+    }
+    return {a + along / square * direction, along / square};
 }
 
 } // namespace collision

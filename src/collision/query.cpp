@@ -1,6 +1,5 @@
 #include "collision/query.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace collision {
@@ -12,28 +11,29 @@ bool is_finite(const glm::dvec3& v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// False for not-a-number, too.
 bool is_near(const glm::dvec3& v)
 {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= LARGEST_COORDINATE;
+    return std::abs(v.x) <= LARGEST_COORDINATE && std::abs(v.y) <= LARGEST_COORDINATE &&
+           std::abs(v.z) <= LARGEST_COORDINATE;
 }
 
 } // namespace
 
 Refusal refusal_of(const Query& query)
 {
+    // The good ones first, which are nearly all.
+    // A segment's direction follows from its ends and may be twice as long as they are far.
+    const glm::dvec3& direction = query.shape == Shape::segment ? query.end : query.direction;
+    if (is_near(query.origin) && is_near(query.end) && is_near(direction) && query.radius >= 0.0 &&
+        query.radius <= LARGEST_COORDINATE) {
+        return Refusal::none;
+    }
     if (!is_finite(query.origin) || !is_finite(query.end) || !is_finite(query.direction) ||
         !std::isfinite(query.radius)) {
         return Refusal::not_finite;
     }
-    if (query.radius < 0.0) {
-        return Refusal::negative_radius;
-    }
-    // A segment's direction follows from its ends and may be twice as long as they are far.
-    const bool is_direction_near = query.shape == Shape::segment || is_near(query.direction);
-    return is_near(query.origin) && is_near(query.end) && is_direction_near &&
-                   query.radius <= LARGEST_COORDINATE
-               ? Refusal::none
-               : Refusal::too_far;
+    return query.radius < 0.0 ? Refusal::negative_radius : Refusal::too_far;
 }
 
 std::string_view refusal_text(Refusal refusal)

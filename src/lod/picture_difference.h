@@ -41,8 +41,7 @@ std::optional<PictureDifference> measure_difference(const Picture& high, const P
 
 /// Says when a difference shows. A tank at a distance is a few dozen pixels; along its outline some always
 /// differ, and nobody sees them.
-/// The default was chosen by arithmetic: neighbouring tones 12 of 255 apart are told from each other on
-/// a screen only where areas of them touch, and one pixel in twenty makes no area.
+/// The defaults are where to begin; what is right for a tank, its light and its ground is found by looking.
 struct ShowingCriterion
 {
     int tolerance = 12;     ///< of 255: for measure_difference

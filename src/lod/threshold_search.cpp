@@ -58,7 +58,7 @@ void ThresholdSearch::report(const PictureDifference& difference)
     if (!hides_at_) {
         finish(ThresholdOutcome::shows_everywhere, 0.0);
     } else if (!shows_at_) {
-        if (asked_ <= range_.nearest) {
+        if (!(asked_ > range_.nearest)) {
             finish(ThresholdOutcome::shows_nowhere, *hides_at_);
         }
         const double nearer = asked_ / range_.ratio;

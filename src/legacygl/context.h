@@ -4,9 +4,11 @@
 #include "legacygl/capture.h"
 #include "legacygl/display_list.h"
 #include "legacygl/renderer.h"
+#include "legacygl/state/client_arrays.h"
 #include "legacygl/state/state.h"
 #include "legacygl/vertex_assembler.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,6 +22,8 @@ struct Context
 
     std::unique_ptr<Backend> backend; ///< First, so that lists and textures can free their objects.
     State state;
+    ClientArrays client_arrays;
+    std::map<GLuint, std::shared_ptr<BufferObject>> buffers; ///< A name without a buffer is only reserved.
     GLenum error = GL_NO_ERROR;
     VertexAssembler immediate{state.current, VertexAssembler::Use::immediate};
     Renderer renderer;
@@ -52,6 +56,12 @@ struct Context
     }
     /// Runs the list of that name; unknown names and too deep a nesting do nothing (OpenGL 1.5, 5.4).
     void call_list(GLuint name);
+    /// Returns the buffer of that name, or null.
+    std::shared_ptr<BufferObject> find_buffer(GLuint name) const
+    {
+        const auto found = buffers.find(name);
+        return found == buffers.end() ? nullptr : found->second;
+    }
     MatrixStack& current_matrix_stack();
     /// Writes the colour into the material properties that follow it.
     void store_followed_color();

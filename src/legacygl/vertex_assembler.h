@@ -69,6 +69,7 @@ public:
     void end();
     /// Goes on with a primitive that a previous batch began.
     void resume(GLenum mode);
+    const CurrentAttributes& current() const { return *current_; }
     bool inside() const { return inside_; }
     GLenum mode() const { return mode_; }
 

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "legacygl/vertex_format.h"
+
+#include <GL/gl.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace legacygl {
+
+/// The contents of a buffer object (OpenGL 1.5, 2.9).
+struct BufferObject
+{
+    std::vector<std::uint8_t> bytes;
+    GLenum usage = GL_STATIC_DRAW;
+    GLenum access = GL_READ_WRITE;
+    bool mapped = false;
+};
+
+/// One vertex array (OpenGL 1.5, table 6.6).
+struct ClientArray
+{
+    bool enabled = false;
+    GLint size = 4;
+    GLenum type = GL_FLOAT;
+    GLsizei stride = 0;
+    const void* pointer = nullptr; ///< An offset when there is a buffer.
+    GLuint buffer_name = 0;
+    std::shared_ptr<BufferObject> buffer;
+};
+
+/// Edge flags and indices have no place in a vertex; their arrays come after those of Attribute.
+enum class OtherArray : std::uint8_t
+{
+    edge_flag,
+    index,
+    count
+};
+constexpr int CLIENT_ARRAY_COUNT = ATTRIBUTE_COUNT + static_cast<int>(OtherArray::count);
+
+/// OpenGL 1.5, tables 6.6 to 6.8.
+struct ClientArrays
+{
+    ClientArrays();
+    std::array<ClientArray, CLIENT_ARRAY_COUNT> arrays;
+    GLuint bound_array_buffer = 0;
+    GLuint bound_element_buffer = 0;
+
+    ClientArray& of(Attribute attribute) { return arrays[index_of(attribute)]; }
+    const ClientArray& of(Attribute attribute) const { return arrays[index_of(attribute)]; }
+    ClientArray& of(OtherArray array) { return arrays[ATTRIBUTE_COUNT + static_cast<int>(array)]; }
+};
+
+inline ClientArrays::ClientArrays()
+{
+    of(Attribute::normal).size = 3;
+    of(Attribute::secondary_color).size = 3;
+    of(Attribute::fog_coordinate).size = 1;
+    of(OtherArray::edge_flag) = {false, 1, GL_UNSIGNED_BYTE, 0, nullptr, 0, nullptr};
+    of(OtherArray::index).size = 1;
+}
+
+} // namespace legacygl

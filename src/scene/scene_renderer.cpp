@@ -5,7 +5,6 @@
 #include "scene/materials.h"
 #include "scene/texture.h"
 
-#include <cstdio>
 #include <numbers>
 
 #include <GL/gl.h>
@@ -42,6 +41,21 @@ void set_up_state()
     set_up_lights();
 }
 
+/// Returns the name of an error, as the specification has it.
+const char* error_name(GLenum error)
+{
+    switch (error) {
+    case GL_OUT_OF_MEMORY:
+        return "GL_OUT_OF_MEMORY";
+    case GL_INVALID_VALUE:
+        return "GL_INVALID_VALUE"; // an image larger than the system takes
+    case GL_NO_ERROR:
+        return "no names for display lists left";
+    default:
+        return "an unexpected error";
+    }
+}
+
 } // namespace
 
 std::string SceneRenderer::load(const app::Assets& assets)
@@ -54,9 +68,7 @@ std::string SceneRenderer::load(const app::Assets& assets)
     if (loaded && error == GL_NO_ERROR) {
         return "";
     }
-    char code[16];
-    std::snprintf(code, sizeof code, "0x%04x", error);
-    return std::string("OpenGL could not take the tank's meshes and texture (error ") + code + ").";
+    return std::string("OpenGL could not take the tank's meshes and texture: ") + error_name(error) + ".";
 }
 
 void SceneRenderer::draw(const app::Frame& frame, int width, int height) const

@@ -1,0 +1,34 @@
+#include "allocation_count.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::size_t count = 0;
+
+} // namespace
+
+std::size_t allocation_count()
+{
+    return count;
+}
+
+void* operator new(std::size_t size)
+{
+    ++count;
+    if (void* memory = std::malloc(size)) {
+        return memory;
+    }
+    std::abort();
+}
+
+void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+    std::free(memory);
+}

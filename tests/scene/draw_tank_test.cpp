@@ -1,0 +1,141 @@
+#include "scene/draw_tank.h"
+
+#include "fixtures.h"
+#include "recording_gl.h"
+#include "tank/part_matrices.h"
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using recording_gl::Call;
+using tank::Joint;
+using tank::Part;
+
+/// The parts in the order in which walking the tree meets them: a part, then each child with its own.
+void append_with_children(const tank::Layout& layout, Part part, std::vector<Part>& order)
+{
+    order.push_back(part);
+    for (Part child : tank::ALL_PARTS) {
+        if (child != part && layout[child].parent == part) {
+            append_with_children(layout, child, order);
+        }
+    }
+}
+
+std::vector<Part> order_of(const tank::Layout& layout)
+{
+    std::vector<Part> order;
+    append_with_children(layout, Part::body, order);
+    return order;
+}
+
+class DrawTank : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        recording_gl::reset();
+        ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+        recording_gl::take_calls();
+    }
+
+    std::vector<Call> draw(float x, float y, float z)
+    {
+        scene::TankDrawing(lists, layout, joints).draw_tank(x, y, z);
+        return recording_gl::take_calls();
+    }
+
+    void expect_part_matrices(const std::vector<Call>& calls, const glm::dvec3& position)
+    {
+        const recording_gl::Replay replay = recording_gl::replay(calls);
+        const tank::PartMatrices matrices = tank::part_matrices(layout, {position}, joints);
+        const std::vector<Part> order = order_of(layout);
+        ASSERT_EQ(replay.list_calls.size(), order.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            SCOPED_TRACE(tank::part_name(order[i]));
+            EXPECT_EQ(replay.list_calls[i].list, lists.list(layout[order[i]].mesh));
+            const glm::dmat4 expected(matrices.mesh(order[i]));
+            for (int column = 0; column < 4; ++column) {
+                for (int row = 0; row < 4; ++row) {
+                    // glRotatef takes degrees in float: 180 of them are off by up to 7.6e-6 degrees, which
+                    // 10 m away is 1.4e-6 m; part_matrices rounds to float besides.
+                    EXPECT_NEAR(replay.list_calls[i].modelview[column][row], expected[column][row], 4e-6);
+                }
+            }
+        }
+    }
+
+    scene::TankLists lists;
+    tank::Layout layout = tank::default_layout();
+    tank::JointAngles joints;
+};
+
+TEST_F(DrawTank, PutsEveryPartWherePartMatricesPutIt)
+{
+    std::mt19937 random(7);
+    for (int pose = 0; pose < 200; ++pose) {
+        for (double& angle : joints.radians) {
+            angle = static_cast<double>(random()) / 4294967296.0 * 6.28 - 3.14;
+        }
+        const glm::vec3 position(static_cast<float>(pose % 5), static_cast<float>(pose % 3), -3.5f);
+        expect_part_matrices(draw(position.x, position.y, position.z), position);
+        if (HasFailure()) {
+            break;
+        }
+    }
+}
+
+TEST_F(DrawTank, FollowsATreeOfAnyShape)
+{
+    joints[Joint::turret] = 0.5;
+    joints[Joint::main_gun] = 0.25;
+    layout[Part::secondary_gun].parent = Part::main_gun;
+    layout[Part::wheel_left_2].parent = Part::turret;
+    layout[Part::wheel_right_1].mesh_offset = {0.1f, 0.2f, 0.3f};
+    layout[Part::main_gun].mesh_yaw = 0.75;
+    expect_part_matrices(draw(0.0f, 0.0f, 0.0f), {0.0, 0.0, 0.0});
+}
+
+TEST_F(DrawTank, LeavesTheMatrixStackAsItWas)
+{
+    const recording_gl::Replay replay = recording_gl::replay(draw(1.0f, 2.0f, 3.0f));
+    EXPECT_EQ(replay.final_stack_depth, 0u);
+    EXPECT_FALSE(replay.popped_too_often);
+}
+
+TEST_F(DrawTank, StaysWithinTheStackThatOpenGlPromises)
+{
+    for (const recording_gl::ListCall& call : recording_gl::replay(draw(0.0f, 0.0f, 0.0f)).list_calls) {
+        EXPECT_LE(call.stack_depth, 31u); // GL_MAX_MODELVIEW_STACK_DEPTH is at least 32
+    }
+}
+
+TEST_F(DrawTank, GivesNoVertexAndNoMatrixOfItsOwn)
+{
+    const std::vector<std::string> allowed = {"glPushMatrix", "glPopMatrix", "glTranslate", "glRotate",
+                                              "glCallList"};
+    for (const Call& call : draw(0.0f, 0.0f, 0.0f)) {
+        EXPECT_NE(std::find(allowed.begin(), allowed.end(), call.name), allowed.end()) << call.name;
+    }
+}
+
+TEST_F(DrawTank, CallsOneListForEachPart)
+{
+    std::map<unsigned, int> calls;
+    for (const recording_gl::ListCall& call : recording_gl::replay(draw(0.0f, 0.0f, 0.0f)).list_calls) {
+        ++calls[call.list];
+    }
+    EXPECT_EQ(calls.size(), tank::MESH_KIND_COUNT);
+    EXPECT_EQ(calls[lists.list(tank::MeshKind::body)], 1);
+    EXPECT_EQ(calls[lists.list(tank::MeshKind::turret)], 1);
+    EXPECT_EQ(calls[lists.list(tank::MeshKind::main_gun)], 1);
+    EXPECT_EQ(calls[lists.list(tank::MeshKind::secondary_gun)], 1);
+    EXPECT_EQ(calls[lists.list(tank::MeshKind::wheel)], 14);
+}
+
+} // namespace

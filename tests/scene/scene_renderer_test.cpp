@@ -1,0 +1,237 @@
+#include "scene/scene_renderer.h"
+
+#include "allocation_count.h"
+#include "fixtures.h"
+#include "recording_gl.h"
+#include "scene/read_pixels.h"
+#include "tank/part_matrices.h"
+
+#include <algorithm>
+#include <glm/ext/matrix_transform.hpp>
+
+#include <GL/gl.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using recording_gl::Call;
+using recording_gl::ListCall;
+
+class SceneRenderer : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        recording_gl::reset();
+        ASSERT_EQ(renderer.load(assets), "");
+        loading = recording_gl::take_calls();
+    }
+
+    std::vector<Call> draw(int width = 640, int height = 400)
+    {
+        renderer.draw(app::make_frame(state, assets), width, height);
+        return recording_gl::take_calls();
+    }
+
+    bool is_of_tank(const ListCall& call) const
+    {
+        for (std::size_t mesh = 0; mesh < tank::MESH_KIND_COUNT; ++mesh) {
+            if (call.list == renderer.tank_lists().list(static_cast<tank::MeshKind>(mesh))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// The list calls of the frame, with what loading and the frame itself have enabled.
+    recording_gl::Replay replay(const std::vector<Call>& frame) const
+    {
+        std::vector<Call> all = loading;
+        all.insert(all.end(), frame.begin(), frame.end());
+        return recording_gl::replay(all);
+    }
+
+    app::Assets assets = scene_test::assets();
+    app::State state;
+    scene::SceneRenderer renderer;
+    std::vector<Call> loading;
+};
+
+const Call* first_named(const std::vector<Call>& calls, std::string_view name)
+{
+    const auto found =
+        std::find_if(calls.begin(), calls.end(), [&](const Call& call) { return call.name == name; });
+    return found == calls.end() ? nullptr : &*found;
+}
+
+TEST_F(SceneRenderer, DrawsEveryPartUnderViewTimesItsWorldMatrix)
+{
+    state.joints.radians = {0.3, -0.8, 0.2, 1.1, 2.0, -2.0};
+    state.x = 4.0;
+    state.z = -7.0;
+    const recording_gl::Replay followed = replay(draw());
+    const app::Frame frame = app::make_frame(state, assets);
+    const glm::dmat4 view = glm::lookAt(frame.camera.eye, frame.camera.centre, frame.camera.up);
+    const tank::PartMatrices matrices =
+        tank::part_matrices(assets.layout, {frame.tanks[0].position}, state.joints);
+    std::size_t found = 0;
+    for (const ListCall& call : followed.list_calls) {
+        for (tank::Part part : tank::ALL_PARTS) {
+            const glm::dmat4 expected = view * glm::dmat4(matrices.mesh(part));
+            double difference = 0.0;
+            for (int column = 0; column < 4; ++column) {
+                for (int row = 0; row < 4; ++row) {
+                    difference =
+                        std::max(difference, std::abs(call.modelview[column][row] - expected[column][row]));
+                }
+            }
+            const bool is_mesh = call.list == renderer.tank_lists().list(assets.layout[part].mesh);
+            found += is_mesh && difference < 2e-5 ? 1u : 0u;
+        }
+    }
+    EXPECT_EQ(found, tank::PART_COUNT);
+    EXPECT_EQ(followed.final_stack_depth, 0u);
+    EXPECT_FALSE(followed.popped_too_often);
+}
+
+TEST_F(SceneRenderer, LightsTexturesAndCullsTheTankOnly)
+{
+    for (const ListCall& call : replay(draw()).list_calls) {
+        EXPECT_EQ(call.is_enabled(GL_TEXTURE_2D), is_of_tank(call));
+        EXPECT_EQ(call.is_enabled(GL_CULL_FACE), is_of_tank(call));
+        EXPECT_EQ(call.depth_writes, is_of_tank(call) || !call.is_enabled(GL_DEPTH_TEST));
+        EXPECT_TRUE(call.is_enabled(GL_NORMALIZE));
+        if (is_of_tank(call)) {
+            EXPECT_TRUE(call.is_enabled(GL_LIGHTING));
+            EXPECT_TRUE(call.is_enabled(GL_LIGHT0));
+            EXPECT_TRUE(call.is_enabled(GL_LIGHT1));
+            EXPECT_TRUE(call.is_enabled(GL_DEPTH_TEST));
+            EXPECT_FALSE(call.is_enabled(GL_BLEND));
+            EXPECT_FALSE(call.is_enabled(GL_COLOR_MATERIAL));
+        }
+    }
+}
+
+TEST_F(SceneRenderer, ClearsWithDepthWritesOn)
+{
+    EXPECT_TRUE(replay(draw()).final_depth_writes); // glClear of the next frame would be masked
+}
+
+TEST_F(SceneRenderer, FixesTheLightsToTheWorld)
+{
+    const recording_gl::Replay followed = replay(draw());
+    const app::Frame frame = app::make_frame(state, assets);
+    const glm::dmat4 view = glm::lookAt(frame.camera.eye, frame.camera.centre, frame.camera.up);
+    ASSERT_EQ(followed.light_positions_set_under.size(), 2u);
+    for (const glm::dmat4& modelview : followed.light_positions_set_under) {
+        for (int column = 0; column < 4; ++column) {
+            for (int row = 0; row < 4; ++row) {
+                EXPECT_NEAR(modelview[column][row], view[column][row], 1e-12);
+            }
+        }
+    }
+}
+
+TEST_F(SceneRenderer, FitsTheViewToTheWindow)
+{
+    const std::vector<Call> frame = draw(300, 200);
+    ASSERT_NE(first_named(frame, "glViewport"), nullptr);
+    EXPECT_EQ(first_named(frame, "glViewport")->arguments, (std::vector<double>{0, 0, 300, 200}));
+    ASSERT_NE(first_named(frame, "gluPerspective"), nullptr);
+    EXPECT_NEAR(first_named(frame, "gluPerspective")->arguments[0], 45.0, 1e-12);
+    EXPECT_EQ(first_named(frame, "gluPerspective")->arguments[1], 1.5);
+}
+
+TEST_F(SceneRenderer, LeavesTheGroundOutWhenItIsHidden)
+{
+    const std::size_t with_ground = replay(draw()).list_calls.size();
+    state.ground = false;
+    const recording_gl::Replay without = replay(draw());
+    EXPECT_LT(without.list_calls.size(), with_ground);
+    EXPECT_EQ(without.list_calls.size(), 1 + tank::PART_COUNT); // the sky, the tank
+}
+
+TEST_F(SceneRenderer, CompilesAndUploadsNothingInAFrame)
+{
+    for (const Call& call : draw()) {
+        for (const char* name : {"glGenLists", "glNewList", "glVertex3f", "glGenTextures", "glTexImage2D"}) {
+            EXPECT_NE(call.name, name);
+        }
+    }
+}
+
+TEST_F(SceneRenderer, MakesTheSameCallsForTheSameState)
+{
+    const std::vector<Call> first = draw();
+    const std::vector<Call> second = draw();
+    ASSERT_EQ(first.size(), second.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        EXPECT_EQ(first[i].name, second[i].name);
+        EXPECT_EQ(first[i].arguments, second[i].arguments);
+    }
+}
+
+TEST_F(SceneRenderer, AllocatesNothingInAFrame)
+{
+    const app::Frame frame = app::make_frame(state, assets);
+    recording_gl::record(false);
+    const std::size_t before = allocation_count();
+    renderer.draw(frame, 640, 400);
+    EXPECT_EQ(allocation_count(), before);
+}
+
+TEST_F(SceneRenderer, UploadsTheTextureWithFourBytesAPixelAndMipmaps)
+{
+    const Call* image = first_named(loading, "glTexImage2D");
+    ASSERT_NE(image, nullptr);
+    std::vector<double> expected = {0, GL_RGBA, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE};
+    for (std::size_t pixel = 0; pixel < 6; ++pixel) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            expected.push_back(static_cast<double>(assets.texture.pixels[pixel * 3 + channel]));
+        }
+        expected.push_back(255.0);
+    }
+    EXPECT_EQ(image->arguments, expected);
+    bool generates_mipmaps_before = false;
+    for (const Call* call = loading.data(); call != image; ++call) {
+        generates_mipmaps_before = generates_mipmaps_before || (call->name == "glTexParameteri" &&
+                                                                call->arguments[1] == GL_GENERATE_MIPMAP &&
+                                                                call->arguments[2] == GL_TRUE);
+    }
+    EXPECT_TRUE(generates_mipmaps_before);
+}
+
+TEST(SceneRendererLoading, KeepsTheAlphaOfATexture)
+{
+    recording_gl::reset();
+    app::Assets assets = scene_test::assets();
+    assets.texture = {.width = 1, .height = 1, .channels = 4, .pixels = {1, 2, 3, 4}};
+    scene::SceneRenderer renderer;
+    ASSERT_EQ(renderer.load(assets), "");
+    const std::vector<double>& arguments = first_named(recording_gl::calls(), "glTexImage2D")->arguments;
+    EXPECT_EQ(std::vector<double>(arguments.end() - 4, arguments.end()), (std::vector<double>{1, 2, 3, 4}));
+}
+
+TEST(SceneRendererLoading, SaysWhatOpenGlRefused)
+{
+    const app::Assets assets = scene_test::assets();
+    recording_gl::reset();
+    recording_gl::set_error(GL_OUT_OF_MEMORY);
+    EXPECT_EQ(scene::SceneRenderer().load(assets),
+              "OpenGL could not take the tank's meshes and texture: GL_OUT_OF_MEMORY.");
+    recording_gl::reset();
+    recording_gl::have_no_list_names();
+    EXPECT_NE(scene::SceneRenderer().load(assets), "");
+}
+
+TEST(ReadPixels, GivesFourBytesAPixel)
+{
+    recording_gl::reset();
+    const std::vector<std::uint8_t> rgba = scene::read_pixels(3, 2);
+    ASSERT_EQ(rgba.size(), 24u);
+    EXPECT_EQ(rgba[23], 23);
+    EXPECT_EQ(recording_gl::calls().at(0).arguments,
+              (std::vector<double>{0, 0, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE}));
+}
+
+} // namespace

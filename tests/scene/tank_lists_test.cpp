@@ -1,0 +1,92 @@
+#include "scene/tank_lists.h"
+
+#include "fixtures.h"
+#include "recording_gl.h"
+
+#include <set>
+
+#include <GL/gl.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using recording_gl::Call;
+using tank::MeshKind;
+
+std::vector<Call> named(const std::vector<Call>& calls, std::string_view name)
+{
+    std::vector<Call> found;
+    for (const Call& call : calls) {
+        if (call.name == name) {
+            found.push_back(call);
+        }
+    }
+    return found;
+}
+
+TEST(TankLists, AreFiveFromOneGlGenLists)
+{
+    recording_gl::reset();
+    scene::TankLists lists;
+    ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+    const std::vector<Call> generated = named(recording_gl::calls(), "glGenLists");
+    ASSERT_EQ(generated.size(), 1u);
+    EXPECT_EQ(generated[0].arguments[0], 5.0);
+    EXPECT_EQ(named(recording_gl::calls(), "glEndList").size(), 5u);
+}
+
+TEST(TankLists, HoldEachMeshUnderItsOwnName)
+{
+    recording_gl::reset();
+    scene::TankLists lists;
+    ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+    std::set<unsigned> names;
+    for (std::size_t mesh = 0; mesh < tank::MESH_KIND_COUNT; ++mesh) {
+        const unsigned list = lists.list(static_cast<MeshKind>(mesh));
+        names.insert(list);
+        std::size_t vertices = 0;
+        for (const Call& call : named(recording_gl::calls(), "glVertex3f")) {
+            vertices += call.compiled_into == list ? 1u : 0u;
+        }
+        EXPECT_EQ(vertices, 3 * (mesh + 1)); // the fixture's meshes have 1, 2 ... 5 faces
+    }
+    EXPECT_EQ(names.size(), 5u);
+    EXPECT_EQ(names.count(0), 0u);
+}
+
+TEST(TankLists, AreCompiledAndNotDrawn)
+{
+    recording_gl::reset();
+    scene::TankLists lists;
+    ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+    for (const Call& call : named(recording_gl::calls(), "glNewList")) {
+        EXPECT_EQ(call.arguments[1], GL_COMPILE);
+    }
+    for (const Call& call : named(recording_gl::calls(), "glVertex3f")) {
+        EXPECT_NE(call.compiled_into, 0u);
+    }
+}
+
+TEST(TankLists, LoadedAgainReplaceTheOldOnes)
+{
+    recording_gl::reset();
+    scene::TankLists lists;
+    ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+    const unsigned old = lists.list(MeshKind::body);
+    ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+    const std::vector<Call> deleted = named(recording_gl::calls(), "glDeleteLists");
+    ASSERT_EQ(deleted.size(), 1u);
+    EXPECT_EQ(deleted[0].arguments, (std::vector<double>{static_cast<double>(old), 5.0}));
+}
+
+TEST(TankLists, SayWhenThereAreNoNamesLeft)
+{
+    recording_gl::reset();
+    recording_gl::have_no_list_names();
+    scene::TankLists lists;
+    EXPECT_FALSE(lists.load_tank_objs(scene_test::assets().high));
+    EXPECT_EQ(lists.list(MeshKind::body), 0u);
+    EXPECT_EQ(lists.list(MeshKind::wheel), 0u);
+}
+
+} // namespace

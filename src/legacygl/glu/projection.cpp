@@ -52,8 +52,7 @@ void gluPerspective(GLdouble fovy, GLdouble aspect, GLdouble zNear, GLdouble zFa
 void gluLookAt(GLdouble eyeX, GLdouble eyeY, GLdouble eyeZ, GLdouble centerX, GLdouble centerY,
                GLdouble centerZ, GLdouble upX, GLdouble upY, GLdouble upZ)
 {
-    const Vector forward = normalized({static_cast<float>(centerX - eyeX),
-                                       static_cast<float>(centerY - eyeY),
+    const Vector forward = normalized({static_cast<float>(centerX - eyeX), static_cast<float>(centerY - eyeY),
                                        static_cast<float>(centerZ - eyeZ)});
     const Vector side = normalized(
         cross(forward, {static_cast<float>(upX), static_cast<float>(upY), static_cast<float>(upZ)}));

@@ -32,8 +32,8 @@ constexpr int MAXIMUM_DIVISIONS = 239;
 
 /// The sines and cosines of count + 1 angles, evenly spread from start over span (radians), times a factor.
 ///
-/// As libGLU has them: the angle is rounded to float, its sine is computed in double, and the product with the
-/// factor is rounded once. Double sines rounded to float are the same natively and on the web.
+/// As libGLU has them: the angle is rounded to float, its sine is computed in double, and the product with
+/// the factor is rounded once. Double sines rounded to float are the same natively and on the web.
 struct AngleTable
 {
     /// count is at most MAXIMUM_DIVISIONS. shift moves the angles back by a fraction of a division.

@@ -20,8 +20,7 @@ public:
           normals_(full_turn(slices, normal_factor(quadric, height, length))),
           face_normals_(full_turn(slices, normal_factor(quadric, height, length), 0.5)),
           normal_z_(narrowing / length)
-    {
-    }
+    {}
 
     void fill() const
     {

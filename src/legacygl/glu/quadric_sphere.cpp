@@ -24,7 +24,8 @@ public:
     void fill() const
     {
         if (quadric_.textured) {
-            // A pole has a texture coordinate for each slice: strips, although half their triangles are empty.
+            // A pole has a texture coordinate for each slice: strips, although half their triangles are
+            // empty.
             bands(0, stacks_);
             return;
         }

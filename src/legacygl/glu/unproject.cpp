@@ -44,7 +44,8 @@ double cofactor(const Matrix& m, int without_row, int without_column)
         ++to_column;
     }
     const auto& [a, b, c] = minor;
-    // The sign goes to the first factors, and the products are added in one row: so the last bits are libGLU's.
+    // The sign goes to the first factors, and the products are added in one row: so the last bits are
+    // libGLU's.
     const double sign = (without_row + without_column) % 2 == 0 ? 1 : -1;
     const double a0 = sign * a[0], b0 = sign * b[0], c0 = sign * c[0];
     return a0 * b[1] * c[2] - a0 * b[2] * c[1] - b0 * a[1] * c[2] + b0 * a[2] * c[1] + c0 * a[1] * b[2] -

@@ -1,0 +1,91 @@
+#include "platform/program.h"
+
+#include "platform/asset_files.h"
+#include "platform/offscreen_target.h"
+#include "scene/read_pixels.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <legacygl/legacygl.h>
+
+namespace {
+
+constexpr int WIDTH = 96;
+constexpr int HEIGHT = 64;
+
+class Program : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        std::string error;
+        target = platform::open_offscreen_target(WIDTH, HEIGHT, error);
+        ASSERT_EQ(error, "");
+        app::Assets assets;
+        ASSERT_EQ(platform::read_asset_folder(ASSETS, assets), "");
+        ASSERT_EQ(program.start(std::move(assets)), "");
+    }
+
+    std::unique_ptr<platform::OffscreenTarget> target;
+    platform::Program program;
+};
+
+TEST_F(Program, DrawsOnlyWhenSomethingChanged)
+{
+    EXPECT_TRUE(program.draw_if_changed(WIDTH, HEIGHT));
+    EXPECT_FALSE(program.draw_if_changed(WIDTH, HEIGHT));
+    program.advance(1.0);
+    EXPECT_FALSE(program.draw_if_changed(WIDTH, HEIGHT)); // time alone changes nothing
+    EXPECT_EQ(program.command("turret", 10.0), "");
+    EXPECT_TRUE(program.draw_if_changed(WIDTH, HEIGHT));
+    EXPECT_TRUE(program.draw_if_changed(WIDTH / 2, HEIGHT));
+    EXPECT_FALSE(program.draw_if_changed(WIDTH / 2, HEIGHT));
+    program.redraw();
+    EXPECT_TRUE(program.draw_if_changed(WIDTH / 2, HEIGHT));
+}
+
+TEST_F(Program, ShowsWhatACommandChanged)
+{
+    program.draw_if_changed(WIDTH, HEIGHT);
+    const auto before = scene::read_pixels(WIDTH, HEIGHT);
+    program.command("turret", 60.0);
+    program.draw_if_changed(WIDTH, HEIGHT);
+    EXPECT_NE(before, scene::read_pixels(WIDTH, HEIGHT));
+    program.command("turret", 0.0);
+    program.draw_if_changed(WIDTH, HEIGHT);
+    EXPECT_EQ(before, scene::read_pixels(WIDTH, HEIGHT));
+}
+
+TEST_F(Program, MovesWhatIsHeldByTheTimeThatPasses)
+{
+    program.command("turret_left", 1.0);
+    for (int i = 0; i < 100; ++i) {
+        program.advance(0.01);
+    }
+    program.command("turret_left", 0.0);
+    EXPECT_NEAR(program.state().joints[tank::Joint::turret], 40.0 * 3.14159265358979 / 180.0, 0.02);
+}
+
+TEST_F(Program, SaysWhatIsWrongWithCommandsAndLinks)
+{
+    EXPECT_NE(program.command("fly", 1.0), "");
+    EXPECT_EQ(program.open_link("turret=5&wings=2").size(), 1u);
+    EXPECT_EQ(program.open_link("turret=5").size(), 0u);
+}
+
+TEST_F(Program, CompilesNoShaderAndUploadsNoGeometryInASteadyFrame)
+{
+    program.draw_if_changed(WIDTH, HEIGHT);
+    program.redraw();
+    program.draw_if_changed(WIDTH, HEIGHT);
+    legacygl_reset_counters(legacygl_current());
+    program.command("turret", 20.0);
+    program.draw_if_changed(WIDTH, HEIGHT);
+    const LegacyGLCounters counters = legacygl_counters(legacygl_current());
+    EXPECT_GT(counters.draw_calls, 18u);
+    EXPECT_EQ(counters.programs, 0u);
+    EXPECT_EQ(counters.uploads, 0u);
+}
+
+} // namespace

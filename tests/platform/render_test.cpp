@@ -1,0 +1,246 @@
+// tanklab-render as people use it: as a process, by its arguments, exit status, words and files.
+#include "process.h"
+#include "temporary_folder.h"
+
+#include "mesh/image.h"
+
+#include <cstdint>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using platform_test::Finished;
+using platform_test::read_file;
+using platform_test::write_file;
+
+namespace fs = std::filesystem;
+
+class Render : public ::testing::Test
+{
+protected:
+    Finished render(std::vector<std::string> arguments, const std::vector<std::string>& environment = {})
+    {
+        arguments.insert(arguments.begin(), RENDER);
+        return platform_test::run(arguments, environment);
+    }
+
+    /// Draws with the tank's own files into picture().
+    Finished draw(const std::string& link, const std::string& size = "64x48",
+                  std::vector<std::string> more = {})
+    {
+        std::vector<std::string> arguments = {link, "--size", size, "--out", picture(), "--assets", ASSETS};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return render(arguments);
+    }
+
+    std::string picture() const { return folder.file("picture.png"); }
+
+    /// Copies the tank's own files, to be spoilt.
+    fs::path own_assets()
+    {
+        const fs::path copy = folder.path() / "assets";
+        fs::copy(ASSETS, copy, fs::copy_options::recursive);
+        return copy;
+    }
+
+    Finished draw_assets(const fs::path& assets)
+    {
+        return render({"", "--size", "64x48", "--out", picture(), "--assets", assets.string()});
+    }
+
+    /// Expects exit status 2, one sentence that contains `words`, and no picture.
+    void expect_refused(const Finished& finished, const std::string& words)
+    {
+        EXPECT_EQ(finished.status, 2) << finished.err;
+        EXPECT_NE(finished.err.find(words), std::string::npos) << finished.err;
+        EXPECT_EQ(finished.err.find("tanklab-render: "), 0u) << finished.err;
+        EXPECT_EQ(finished.out, "");
+        EXPECT_FALSE(fs::exists(picture()));
+    }
+
+    platform_test::TemporaryFolder folder;
+};
+
+TEST_F(Render, DrawsAPictureOfTheSizeAskedFor)
+{
+    for (const char* renderer : {"emulated", "reference"}) {
+        const Finished finished = draw("turret=30", "37x21", {"--renderer", renderer});
+        ASSERT_EQ(finished.status, 0) << finished.err;
+        EXPECT_EQ(finished.err, "");
+        const std::string png = read_file(picture());
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(png.data());
+        const auto image = mesh::read_image("picture.png", {bytes, png.size()});
+        ASSERT_TRUE(image);
+        EXPECT_EQ(image.value().width, 37);
+        EXPECT_EQ(image.value().height, 21);
+    }
+}
+
+TEST_F(Render, DrawsALinkTwiceToTheSameBytes)
+{
+    const char* link =
+        "#turret=35&gun=7&secondary_gun=-20&wheels=15&heading=12.5&orbit=70&tilt=9&distance=10";
+    for (const char* renderer : {"emulated", "reference"}) {
+        const Finished first = draw(link, "200x120", {"--renderer", renderer, "--state"});
+        ASSERT_EQ(first.status, 0) << first.err;
+        const std::string first_bytes = read_file(picture());
+        const Finished second = draw(link, "200x120", {"--renderer", renderer, "--state"});
+        ASSERT_EQ(second.status, 0) << second.err;
+        EXPECT_FALSE(first_bytes.empty());
+        EXPECT_EQ(first_bytes, read_file(picture()));
+        EXPECT_EQ(first.out, second.out);
+    }
+}
+
+TEST_F(Render, DrawsAnotherPictureForAnotherLink)
+{
+    ASSERT_EQ(draw("turret=10").status, 0);
+    const std::string first = read_file(picture());
+    ASSERT_EQ(draw("turret=11").status, 0);
+    EXPECT_NE(first, read_file(picture()));
+}
+
+TEST_F(Render, TakesAWholeAddressAsALink)
+{
+    const Finished address =
+        render({"https://example.org/tanklab/?a=b#turret=30", "--state", "--assets", ASSETS});
+    const Finished fragment = render({"turret=30", "--state", "--assets", ASSETS});
+    EXPECT_EQ(address.status, 0);
+    EXPECT_EQ(address.out, fragment.out);
+    EXPECT_NE(address.out.find("\"turret\":30,"), std::string::npos) << address.out;
+    EXPECT_EQ(address.err, "");
+}
+
+TEST_F(Render, NamesWhatItCannotUseOfALinkAndDrawsTheRest)
+{
+    const Finished finished = draw("turret=30&gun=steep&nonsense=1", "64x48", {"--state"});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_NE(finished.err.find("steep"), std::string::npos) << finished.err;
+    EXPECT_NE(finished.err.find("nonsense"), std::string::npos) << finished.err;
+    EXPECT_NE(finished.out.find("\"turret\":30,"), std::string::npos) << finished.out;
+    EXPECT_TRUE(fs::exists(picture()));
+}
+
+TEST_F(Render, RefusesSizesThatAreNone)
+{
+    for (const char* size :
+         {"0x0", "0x48", "64x0", "-64x48", "64x-48", "64", "64x", "x48", "x", "", "64x48x2", "64 x 48",
+          "6.4x48", "1e2x48", "0x40x48", "99999999999x48", "8193x48", "64x8193"}) {
+        SCOPED_TRACE(size);
+        expect_refused(draw("", size), "--size " + std::string(size) + " ");
+    }
+}
+
+TEST_F(Render, RefusesArgumentsItDoesNotKnow)
+{
+    expect_refused(draw("", "64x48", {"--renderer", "vulkan"}), "--renderer vulkan");
+    expect_refused(draw("", "64x48", {"--frobnicate"}), "--frobnicate");
+    expect_refused(draw("", "64x48", {"turret=3"}), "two links");
+    expect_refused(draw("", "64x48", {"--renderer"}), "--renderer needs a value");
+    expect_refused(render({"--out", picture()}), "There is no link");
+    expect_refused(render({""}), "nothing to do");
+    expect_refused(render({"", "--out", ""}), "--out needs a path");
+}
+
+TEST_F(Render, TellsItsUsage)
+{
+    const Finished finished = render({"--help"});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_NE(finished.out.find("Usage: tanklab-render LINK"), std::string::npos);
+}
+
+TEST_F(Render, SaysThatAPathCannotBeWritten)
+{
+    const std::string missing = folder.file("no/such/folder/picture.png");
+    for (const char* renderer : {"emulated", "reference"}) {
+        expect_refused(
+            render({"", "--size", "64x48", "--out", missing, "--assets", ASSETS, "--renderer", renderer}),
+            missing);
+    }
+    expect_refused(render({"", "--size", "64x48", "--out", folder.path().string(), "--assets", ASSETS}),
+                   folder.path().string());
+}
+
+TEST_F(Render, SaysThatADiskIsFullAndLeavesDevicesAlone)
+{
+    if (!fs::exists("/dev/full")) {
+        GTEST_SKIP() << "no /dev/full here";
+    }
+    expect_refused(render({"", "--size", "64x48", "--out", "/dev/full", "--assets", ASSETS}), "/dev/full");
+    EXPECT_TRUE(fs::exists("/dev/full"));
+}
+
+TEST_F(Render, SaysThatTheFolderOfFilesIsMissing)
+{
+    expect_refused(draw_assets(folder.path() / "nowhere"), "nowhere");
+}
+
+TEST_F(Render, NamesTheFilesThatAreMissing)
+{
+    const fs::path assets = own_assets();
+    fs::remove(assets / "tankobjs/tankwheel.obj");
+    expect_refused(draw_assets(assets), "tankwheel.obj");
+    expect_refused(draw_assets(folder.path()), "tankbody.obj"); // a folder with nothing of use
+}
+
+TEST_F(Render, SaysWhereAFileIsWrong)
+{
+    const struct
+    {
+        const char* content;
+        const char* words;
+    } faults[] = {
+        {"", "tankturret.obj"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "tankturret.obj:4:"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "tankturret.obj:4:"},
+        {"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "tankturret.obj:2:"},
+        {"v 0 0 0\nv 1 0", "tankturret.obj:2:"},
+        {"\x7f\x45\x4c\x46\x02\x01", "tankturret.obj"},
+    };
+    const fs::path assets = own_assets();
+    for (const auto& fault : faults) {
+        SCOPED_TRACE(fault.content);
+        write_file(assets / "tankobjs/tankturret.obj", fault.content);
+        expect_refused(draw_assets(assets), fault.words);
+    }
+}
+
+TEST_F(Render, SaysThatATextureIsNone)
+{
+    const fs::path assets = own_assets();
+    for (const char* name : {"texture.jpg", "texture.png", "texture.tga"}) {
+        fs::remove(assets / name);
+    }
+    expect_refused(draw_assets(assets), "texture.png");
+    for (const char* content : {"", "not a picture", "\x89PNG\r\n\x1a\n"}) {
+        write_file(assets / "texture.png", content);
+        expect_refused(draw_assets(assets), "texture.png");
+    }
+}
+
+TEST_F(Render, SaysThatAFolderIsNoFile)
+{
+    const fs::path assets = own_assets();
+    fs::remove(assets / "tankobjs/tankbody.obj");
+    fs::create_directory(assets / "tankobjs/tankbody.obj");
+    expect_refused(draw_assets(assets), "tankbody.obj: is not a file");
+}
+
+TEST_F(Render, ReadsTheFilesAlsoWhenOnlyTheStateIsAskedFor)
+{
+    expect_refused(render({"", "--state", "--assets", folder.path().string()}), "tankbody.obj");
+}
+
+TEST_F(Render, SaysThatThereIsNoEgl)
+{
+    for (const char* renderer : {"emulated", "reference"}) {
+        const Finished finished =
+            render({"", "--size", "64x48", "--out", picture(), "--assets", ASSETS, "--renderer", renderer},
+                   {"__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null"}); // libglvnd then finds no driver at all
+        expect_refused(finished, "EGL");
+    }
+}
+
+} // namespace

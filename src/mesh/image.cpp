@@ -1,6 +1,7 @@
 #include "mesh/image.h"
 
 #include "mesh/image_data_check.h"
+#include "mesh/png_palette.h"
 #include "mesh/quoted.h"
 #include "mesh/stb_decoder.h"
 
@@ -90,7 +91,10 @@ Result<Image> read_image(std::string_view file_name, std::span<const std::uint8_
     ImageHeader header;
     if (std::string cause = check(bytes, header); !cause.empty())
         return ReadError{std::string(file_name), 0, std::move(cause)};
-    const DecodedImage decoded = decode_image(bytes, header);
+    std::vector<std::uint8_t> full;
+    if (image_format(bytes) == ImageFormat::png)
+        full = png_with_full_palette(bytes);
+    const DecodedImage decoded = decode_image(full.empty() ? bytes : full, header);
     if (!decoded.pixels)
         return ReadError{std::string(file_name), 0, failure_sentence()};
     return flipped_and_expanded(decoded);

@@ -9,9 +9,10 @@
 // The only file that includes stb_image. On damaged files it does what C++ leaves undefined; compiler options
 // (see CMakeLists.txt) make that harmless, and the same natively and on the web:
 // - its cosine transform overflows its integers (-fwrapv);
-// - it copies no bytes to a null pointer (-fno-delete-null-pointer-checks);
-// - it looks up colours behind the end of a short palette, which were never set
-// (-ftrivial-auto-var-init=zero).
+// - it copies no bytes to a null pointer (-fno-delete-null-pointer-checks, -fno-sanitize=nonnull-attribute);
+// - where a scan ends too early it shifts by more than 31 bits, but only zeros
+// (-fno-sanitize=shift-exponent). What it must not be given at all is found by jpeg_check.h,
+// image_data_check.h and png_palette.h.
 
 namespace {
 

@@ -24,6 +24,19 @@ void move_block(float* __restrict positions, float* __restrict velocities, int c
     }
 }
 
+void move_block(float* __restrict positions, float* __restrict velocities, float* __restrict old_positions,
+                float* __restrict old_velocities, int count, AxisMotion motion)
+{
+    for (int i = 0; i < count; ++i) {
+        const float position = positions[i];
+        const float velocity = velocities[i];
+        old_positions[i] = position;
+        old_velocities[i] = velocity;
+        positions[i] = position + (velocity * motion.reach + motion.way_gain);
+        velocities[i] = velocity * motion.keep + motion.speed_gain;
+    }
+}
+
 bool age_block(float* __restrict ages, const float* __restrict lives, int count, float seconds)
 {
     std::int32_t any_is_over = 0;

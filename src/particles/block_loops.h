@@ -29,6 +29,10 @@ struct Vectors
 /// Moves `count` particles along one axis.
 void move_block(float* __restrict positions, float* __restrict velocities, int count, AxisMotion motion);
 
+/// Does the same, having copied the values to old_positions and old_velocities.
+void move_block(float* __restrict positions, float* __restrict velocities, float* __restrict old_positions,
+                float* __restrict old_velocities, int count, AxisMotion motion);
+
 /// Adds to `count` ages and returns whether any has reached its life.
 bool age_block(float* __restrict ages, const float* __restrict lives, int count, float seconds);
 

@@ -1,7 +1,5 @@
 #include "particles/contact.h"
 
-#include "particles/flight.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,6 +14,9 @@ constexpr double touching_distance = 1e-6;
 /// Slower than this, in m/s, nothing leaves a wall: more than what rounding leaves of a speed taken away.
 constexpr double slowest_leaving = 1e-9;
 
+/// Less than this, in metres, is no way.
+constexpr double rounding = 1e-12;
+
 double distance_to(const Wall& wall, const glm::dvec3& position)
 {
     return glm::dot(wall.normal, position) - wall.offset;
@@ -26,12 +27,19 @@ bool is_touched(const Wall& wall, const glm::dvec3& position)
     return distance_to(wall, position) <= touching_distance;
 }
 
+/// Where slanted walls meet, leaving one may lead behind another, each time less far.
 void put_inside(glm::dvec3& position, std::span<const Wall> walls)
 {
-    for (const Wall& wall : walls) {
-        const double distance = distance_to(wall, position);
-        if (distance < 0.0) {
-            position -= wall.normal * distance;
+    constexpr int most_rounds = 64;
+    bool is_inside = false;
+    for (int round = 0; !is_inside && round < most_rounds; ++round) {
+        is_inside = true;
+        for (const Wall& wall : walls) {
+            const double distance = distance_to(wall, position);
+            if (distance < 0.0) {
+                position -= wall.normal * distance;
+                is_inside = is_inside && distance > -rounding;
+            }
         }
     }
 }
@@ -87,18 +95,32 @@ struct Push
 
 constexpr double never = 1e300;
 
-/// Walls that a particle rests on take away what presses it against them and add their friction.
+/// The walls that a particle rests on push back just as much as keeps it from being pressed into any of them.
+/// Where several do, their shares are found by projected Gauss-Seidel (Catto, Iterative Dynamics, 2005).
 Push push_of(const Motion& motion, const Forces& forces, std::span<const Wall> walls)
 {
+    constexpr int most_rounds = 64;
     Push push{.acceleration = forces.acceleration, .stops_after = never};
-    double friction = 0.0;
-    for (const Wall& wall : walls) {
-        const double away = glm::dot(wall.normal, push.acceleration);
-        if (away < 0.0 && is_touched(wall, motion.position) &&
-            glm::dot(wall.normal, motion.velocity) <= slowest_leaving) {
-            push.acceleration -= wall.normal * away;
-            friction -= wall.friction * away;
+    std::array<double, ParticleSettings::most_planes> shares{};
+    bool is_settled = false;
+    for (int round = 0; !is_settled && round < most_rounds; ++round) {
+        is_settled = true;
+        for (std::size_t i = 0; i < walls.size(); ++i) {
+            const Wall& wall = walls[i];
+            const double away = glm::dot(wall.normal, push.acceleration);
+            if ((away >= 0.0 && shares[i] == 0.0) || !is_touched(wall, motion.position) ||
+                glm::dot(wall.normal, motion.velocity) > slowest_leaving) {
+                continue;
+            }
+            const double change = std::max(-away, -shares[i]);
+            shares[i] += change;
+            push.acceleration += wall.normal * change;
+            is_settled = is_settled && std::abs(change) <= rounding * (1.0 + shares[i]);
         }
+    }
+    double friction = 0.0;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        friction += walls[i].friction * shares[i];
     }
     if (friction == 0.0) {
         return push;
@@ -119,39 +141,61 @@ Push push_of(const Motion& motion, const Forces& forces, std::span<const Wall> w
     return push;
 }
 
-double time_to_next_wall(const Motion& motion, const glm::dvec3& acceleration, double air_resistance,
-                         std::span<const Wall> walls, double limit)
+/// Finishes the flight if it is free of contacts from its beginning to its end: the usual case, at less cost.
+bool fly_freely(Motion& motion, const Forces& forces, std::span<const Wall> walls, const Flight& whole)
 {
+    const Motion after = {
+        motion.position + motion.velocity * whole.reach + forces.acceleration * whole.fall,
+        motion.velocity * whole.keep + forces.acceleration * whole.reach,
+    };
+    for (const Wall& wall : walls) {
+        const bool may_turn = glm::dot(wall.normal, forces.acceleration) > 0.0;
+        if (is_touched(wall, motion.position) || is_touched(wall, after.position) ||
+            (may_turn && glm::dot(wall.normal, motion.velocity) < 0.0 &&
+             glm::dot(wall.normal, after.velocity) > 0.0)) {
+            return false;
+        }
+    }
+    motion = after;
+    return true;
+}
+
+/// Returns the flight to the next contact, or the whole limit.
+Flight flight_to_next_wall(const Motion& motion, const glm::dvec3& acceleration, double air_resistance,
+                           std::span<const Wall> walls, const Flight& limit)
+{
+    Flight nearest = limit;
     for (const Wall& wall : walls) {
         const double distance = std::max(0.0, distance_to(wall, motion.position));
         const double speed = glm::dot(wall.normal, motion.velocity);
         if (distance <= touching_distance && speed <= slowest_leaving) {
             if (speed < -slowest_leaving) {
-                return 0.0; // another wall has just sent it here
+                return flight(air_resistance, 0.0); // another wall has just sent it here
             }
             continue; // rests on it, slides along it or is lifted off it
         }
         const auto time =
-            time_of_contact(distance, speed, glm::dot(wall.normal, acceleration), air_resistance, limit);
-        limit = time.value_or(limit);
+            time_of_contact(distance, speed, glm::dot(wall.normal, acceleration), air_resistance, nearest);
+        if (time) {
+            nearest = flight(air_resistance, *time);
+        }
     }
-    return limit;
+    return nearest;
 }
 
 } // namespace
 
 std::optional<double> time_of_contact(double distance, double speed, double acceleration,
-                                      double air_resistance, double limit)
+                                      double air_resistance, const Flight& limit)
 {
     const auto height = [=](const Flight& f) { return distance + speed * f.reach + acceleration * f.fall; };
     const auto slope = [=](const Flight& f) { return speed * f.keep + acceleration * f.reach; };
 
     // The second derivative of the height is (acceleration - air_resistance * speed) * keep: of one sign.
     const double bend = acceleration - air_resistance * speed;
-    const Flight whole = flight(air_resistance, limit);
-    if (height(whole) >= 0.0) {
+    if (height(limit) >= 0.0) {
         // Only one that came near and turned round can have touched in between.
-        if (bend <= 0.0 || speed >= 0.0 || slope(whole) <= 0.0) {
+        if (bend <= 0.0 || speed >= 0.0 || slope(limit) <= 0.0) {
             return std::nullopt;
         }
         const double turn = time_of_reach(air_resistance, -speed / bend);
@@ -160,16 +204,23 @@ std::optional<double> time_of_contact(double distance, double speed, double acce
         }
     }
     // Newton's method, from the side where the curve lies between its tangents and the axis: a bend away from
-    // the plane is approached from its beginning, one towards it from the end. The times only go one way.
+    // the plane is approached from its beginning, one towards it from the end. The times only go one way. A
+    // step doubles the number of right digits, so that after a short one there is nothing left to do.
     constexpr int most_steps = 100;
-    double time = bend > 0.0 ? 0.0 : limit;
+    constexpr double short_step = 1e-9;
+    double time = bend > 0.0 ? 0.0 : limit.seconds;
+    Flight so_far = bend > 0.0 ? flight(air_resistance, 0.0) : limit;
     for (int i = 0; i < most_steps; ++i) {
-        const Flight so_far = flight(air_resistance, time);
-        const double next = std::clamp(time - height(so_far) / slope(so_far), 0.0, limit);
-        if (!(bend > 0.0 ? next > time : next < time)) {
+        const double next = std::clamp(time - height(so_far) / slope(so_far), 0.0, limit.seconds);
+        const double step = bend > 0.0 ? next - time : time - next;
+        if (!(step > 0.0)) {
             break;
         }
         time = next;
+        if (step < short_step) {
+            break;
+        }
+        so_far = flight(air_resistance, time);
     }
     return time;
 }
@@ -181,8 +232,12 @@ Wall wall_of(const CollisionPlane& plane)
             static_cast<double>(plane.friction), plane.response};
 }
 
-Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall> walls, double seconds)
+Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall> walls, const Flight& whole)
 {
+    if (fly_freely(motion, forces, walls, whole)) {
+        return Fate::moves;
+    }
+    double seconds = whole.seconds;
     for (int contact = 0;; ++contact) {
         put_inside(motion.position, walls);
         const Fate fate = touch_walls(motion, forces.acceleration, walls);
@@ -195,15 +250,15 @@ Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall>
             return Fate::moves;
         }
         const double until_stop = std::min(seconds, push.stops_after);
-        const double time =
-            time_to_next_wall(motion, push.acceleration, forces.air_resistance, walls, until_stop);
-        const Flight part = flight(forces.air_resistance, time);
+        const Flight limit = until_stop == whole.seconds ? whole : flight(forces.air_resistance, until_stop);
+        const Flight part =
+            flight_to_next_wall(motion, push.acceleration, forces.air_resistance, walls, limit);
         motion.position += motion.velocity * part.reach + push.acceleration * part.fall;
         motion.velocity = motion.velocity * part.keep + push.acceleration * part.reach;
-        if (time == push.stops_after) {
+        if (part.seconds == push.stops_after) {
             motion.velocity -= push.sliding * glm::dot(push.sliding, motion.velocity);
         }
-        seconds -= time;
+        seconds -= part.seconds;
     }
 }
 

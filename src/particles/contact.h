@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particles/flight.h"
 #include "particles/settings.h"
 
 #include <array>
@@ -12,9 +13,9 @@ namespace particles {
 /// Returns the first time within `limit` at which what flies above a plane touches it, to the last few bits;
 /// nothing if it does not. Exact flight (see Flight) along the plane's normal; metres, seconds.
 /// distance: to the plane, >= 0; speed: away from it; at distance 0 precondition: > 0, that time 0 is no
-/// touch. acceleration: away from the plane. air_resistance and limit: finite, >= 0.
+/// touch. acceleration: away from the plane. limit: of the same air resistance.
 std::optional<double> time_of_contact(double distance, double speed, double acceleration,
-                                      double air_resistance, double limit);
+                                      double air_resistance, const Flight& limit);
 
 /// A plane with its normal brought to length 1; the particles are where dot(normal, p) >= offset.
 struct Wall
@@ -24,6 +25,8 @@ struct Wall
     double restitution = 0.0;
     double friction = 0.0;
     ContactResponse response = ContactResponse::bounce;
+
+    friend bool operator==(const Wall&, const Wall&) = default;
 };
 
 /// Returns the wall of a plane. Precondition: validate() has nothing against it.
@@ -57,16 +60,18 @@ constexpr double slowest_bounce = 0.05;
 /// After so many contacts in one flight the particle stays where it is for the rest of that time.
 constexpr int most_contacts = 16;
 
-/// Moves a particle for some seconds among walls, touching each at its time.
+/// Moves a particle for a time among walls, touching each at its time.
 /// - Between contacts it flies exactly, so that one long flight is as good as many short ones.
 /// - A bounce turns the speed towards the wall round, times the restitution, and takes friction * (1 +
 ///   restitution) times that speed from the speed along the wall, at most all of it (Coulomb).
 /// - Slower than slowest_bounce it does not bounce but rests on the wall: it slides, against Coulomb
-///   friction, while the forces press it there.
+///   friction, while the forces press it there. Pushed sideways while it slides, it keeps the direction of
+///   friction that it has at the beginning of the flight.
 /// - The energy of its motion never grows by a contact.
 /// - One that is behind a wall is first put on it, so that nothing is ever behind one afterwards, but for
 ///   rounding. Where walls leave no room in between, it is behind one of them.
-/// seconds: finite, >= 0.
-Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall> walls, double seconds);
+/// whole: the time, of the same air resistance; callers have it for many particles.
+/// Precondition: at most ParticleSettings::most_planes walls.
+Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall> walls, const Flight& whole);
 
 } // namespace particles

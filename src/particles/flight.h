@@ -15,6 +15,7 @@ namespace particles {
 /// Wind w is air that moves, dv/dt = g - k (v - w), which is the same with a = g + k w.
 struct Flight
 {
+    double seconds; ///< t
     double keep;
     double reach;
     double fall;

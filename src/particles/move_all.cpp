@@ -21,15 +21,14 @@ class BlockMover
 {
 public:
     BlockMover(ParticleStore& store, const Forces& forces, std::span<const Wall> walls, double seconds)
-        : store_(store), forces_(forces), walls_(walls), seconds_(seconds)
+        : store_(store), forces_(forces), walls_(walls), whole_(flight(forces.air_resistance, seconds))
     {
-        const Flight whole = flight(forces.air_resistance, seconds);
         for (int axis = 0; axis < 3; ++axis) {
             const double acceleration = forces.acceleration[axis];
-            axes_[static_cast<std::size_t>(axis)] = {static_cast<float>(whole.keep),
-                                                     static_cast<float>(whole.reach),
-                                                     static_cast<float>(acceleration * whole.reach),
-                                                     static_cast<float>(acceleration * whole.fall)};
+            axes_[static_cast<std::size_t>(axis)] = {static_cast<float>(whole_.keep),
+                                                     static_cast<float>(whole_.reach),
+                                                     static_cast<float>(acceleration * whole_.reach),
+                                                     static_cast<float>(acceleration * whole_.fall)};
         }
     }
 
@@ -41,8 +40,7 @@ public:
             fly();
             return;
         }
-        remember();
-        fly();
+        fly_and_remember();
         if (mark_all_that_touch()) {
             for (std::size_t i = 0; i < count; ++i) {
                 if (marks_[i] != 0) {
@@ -68,12 +66,11 @@ private:
         }
     }
 
-    /// Keeps how the block was before.
-    void remember()
+    void fly_and_remember()
     {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            std::copy_n(values(positions[axis]), count_, old_positions_[axis].data());
-            std::copy_n(values(velocities[axis]), count_, old_velocities_[axis].data());
+            move_block(values(positions[axis]), values(velocities[axis]), old_positions_[axis].data(),
+                       old_velocities_[axis].data(), count_, axes_[axis]);
         }
     }
 
@@ -99,7 +96,7 @@ private:
         const std::size_t place = begin_ + i;
         Motion motion{{old_positions_[0][i], old_positions_[1][i], old_positions_[2][i]},
                       {old_velocities_[0][i], old_velocities_[1][i], old_velocities_[2][i]}};
-        const Fate fate = fly_among_walls(motion, forces_, walls_, seconds_);
+        const Fate fate = fly_among_walls(motion, forces_, walls_, whole_);
         Particle particle = store_.get(place);
         particle.position = motion.position;
         particle.velocity = motion.velocity;
@@ -117,7 +114,7 @@ private:
     ParticleStore& store_;
     const Forces& forces_;
     std::span<const Wall> walls_;
-    double seconds_;
+    Flight whole_;
     std::array<AxisMotion, 3> axes_{};
     std::size_t begin_ = 0;
     int count_ = 0;

@@ -68,11 +68,13 @@ std::size_t ParticleStore::age_all(float seconds)
 {
     // From the back to the front: what fills a gap has been looked at already.
     const std::size_t before = live_;
+    float* const ages = array(age);
+    const float* const lives = array(life);
     for (std::size_t end = before; end > 0;) {
         const std::size_t begin = (end - 1) / block_size * block_size;
-        if (age_block(array(age) + begin, array(life) + begin, static_cast<int>(end - begin), seconds)) {
+        if (age_block(ages + begin, lives + begin, static_cast<int>(end - begin), seconds)) {
             for (std::size_t place = end; place-- > begin;) {
-                if (array(age)[place] >= array(life)[place]) {
+                if (ages[place] >= lives[place]) {
                     remove(place);
                 }
             }
@@ -104,8 +106,9 @@ bool operator==(const ParticleStore& a, const ParticleStore& b)
 
 void ParticleStore::copy(std::size_t from, std::size_t to)
 {
-    for (std::size_t i = 0; i < quantities; ++i) {
-        float* const values = array(static_cast<Quantity>(i));
+    float* values = storage_.data();
+    const std::size_t next = capacity_;
+    for (std::size_t i = 0; i < quantities; ++i, values += next) {
         values[to] = values[from];
     }
 }

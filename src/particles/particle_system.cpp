@@ -110,6 +110,8 @@ ParticleView ParticleSystem::view() const
 void ParticleSystem::release(const Release& release)
 {
     const auto age = static_cast<float>(release.age);
+    const Forces pushing = forces();
+    const Flight whole = flight(pushing.air_resistance, release.age);
     for (int i = 0; i < release.count; ++i) {
         if (store_.is_full()) {
             counts_.refused += static_cast<std::uint64_t>(release.count - i);
@@ -123,11 +125,12 @@ void ParticleSystem::release(const Release& release)
             ++counts_.ended;
             continue;
         }
-        const glm::dvec3 aside = random.in_cube() * glm::dvec3{settings_.position_variance};
-        const glm::dvec3 faster = random.in_ball() * settings_.velocity_variance;
-        Motion motion{glm::dvec3{release.source.position} + aside,
-                      glm::dvec3{release.source.velocity} + faster};
-        const Fate fate = fly_among_walls(motion, forces(), walls(), release.age);
+        Motion motion{glm::dvec3{release.source.position}, glm::dvec3{release.source.velocity}};
+        motion.velocity += random.in_ball() * settings_.velocity_variance;
+        if (settings_.position_variance != glm::vec3{0.0F}) {
+            motion.position += random.in_cube() * glm::dvec3{settings_.position_variance};
+        }
+        const Fate fate = fly_among_walls(motion, pushing, walls(), whole);
         if (fate == Fate::is_recycled) {
             ++counts_.ended;
             continue;

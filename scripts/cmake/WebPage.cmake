@@ -6,6 +6,9 @@
 #   wasmBinary   the bytes of tanklab.wasm (the page fetches them itself, to show the progress)
 #   print, printErr, onAbort, noInitialRun   as Emscripten describes them
 # and gives the module with what is listed below, and _name for each EMSCRIPTEN_KEEPALIVE function.
+#
+# The program runs its frames by emscripten_request_animation_frame_loop: emscripten_set_main_loop does the
+# same and brings 5 KB of gzipped script along.
 
 set(tanklab_runtime_methods ccall UTF8ToString stringToUTF8 lengthBytesUTF8 callMain)
 set(tanklab_exported_functions _main _malloc _free)
@@ -20,6 +23,9 @@ function(tanklab_link_for_web target)
     -sALLOW_MEMORY_GROWTH               # a user's own tank may be any size
     -sMALLOC=emmalloc                   # 3 KB smaller; a steady frame allocates nothing
     -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
+    -sGL_TRACK_ERRORS=0                 # legacygl keeps the errors that glGetError tells
+    -sHTML5_SUPPORT_DEFERRING_USER_SENSITIVE_REQUESTS=0 # the page asks for full screen itself
+    -sTEXTDECODER=2                     # every browser with WebGL 2 has one
     -sINCOMING_MODULE_JS_API=canvas,wasmBinary,print,printErr,onAbort,noInitialRun
     -sEXPORTED_RUNTIME_METHODS=${methods}
     -sEXPORTED_FUNCTIONS=${functions})

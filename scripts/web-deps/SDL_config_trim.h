@@ -31,6 +31,5 @@
 /* SDL's own, small ones: the C library's bring arithmetic on long double along. */
 #undef HAVE_ATOF
 #undef HAVE_STRTOD
-#undef HAVE_VSNPRINTF
 #undef HAVE_SSCANF
 #undef HAVE_VSSCANF

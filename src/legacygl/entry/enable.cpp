@@ -36,6 +36,20 @@ void glDisable(GLenum cap)
         __func__, [](Context& gl, GLenum c) { set_capability(gl, c, false); }, cap);
 }
 
+/// Nothing here is quicker for being worse: a hint is checked and has no effect.
+void glHint(GLenum target, GLenum mode)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum t, GLenum m) {
+            const bool is_target = (t >= GL_PERSPECTIVE_CORRECTION_HINT && t <= GL_FOG_HINT) ||
+                                   t == GL_GENERATE_MIPMAP_HINT || t == GL_TEXTURE_COMPRESSION_HINT;
+            if (!is_target || m < GL_DONT_CARE || m > GL_NICEST)
+                gl.set_error(GL_INVALID_ENUM);
+        },
+        target, mode);
+}
+
 GLboolean glIsEnabled(GLenum cap)
 {
     bool enabled = false;

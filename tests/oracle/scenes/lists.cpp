@@ -210,3 +210,63 @@ SCENE(list_deletes_itself_while_it_runs)
     glTranslatef(6, 0, 0);
     glCallList(list);
 }
+
+SCENE(call_lists_with_every_type)
+{
+    two_dimensions();
+    const GLuint base = glGenLists(300);
+    for (GLuint i = 0; i < 300; ++i) {
+        glNewList(base + i, GL_COMPILE);
+        glColor3f(static_cast<float>(i % 7) / 7, static_cast<float>(i % 5) / 5, 1);
+        glBegin(GL_TRIANGLES);
+        glVertex2f(0, 0);
+        glVertex2f(1, 0);
+        glVertex2f(0, 1 + static_cast<float>(i % 3));
+        glEnd();
+        glTranslatef(1.1f, 0, 0);
+        glEndList();
+    }
+    glListBase(base);
+    const GLbyte bytes[] = {0, 5, 100};
+    glCallLists(3, GL_BYTE, bytes);
+    glListBase(base + 200);
+    const GLint ints[] = {-200, 99, -1};
+    glCallLists(3, GL_INT, ints);
+    const GLshort shorts[] = {-7, 12};
+    glCallLists(2, GL_SHORT, shorts);
+    const GLfloat floats[] = {3.7f, 40.2f};
+    glCallLists(2, GL_FLOAT, floats);
+    glLoadIdentity();
+    glTranslatef(0, 5, 0);
+    glListBase(base);
+    const GLubyte pairs[] = {1, 20, 0, 3};
+    glCallLists(2, GL_2_BYTES, pairs);
+    const GLubyte triples[] = {0, 1, 2};
+    glCallLists(1, GL_3_BYTES, triples);
+    const GLubyte quadruples[] = {0, 0, 0, 77};
+    glCallLists(1, GL_4_BYTES, quadruples);
+    glNewList(base, GL_COMPILE);
+    glCallLists(3, GL_UNSIGNED_BYTE, "\x05\x06\x07");
+    glEndList();
+    glCallList(base);
+    GLint answer = 0;
+    glGetIntegerv(GL_LIST_BASE, &answer);
+    tell(std::to_string(answer - static_cast<GLint>(base)));
+    glCallLists(1, GL_DOUBLE, floats);
+    tell(std::to_string(glGetError()));
+    glCallLists(-1, GL_BYTE, bytes);
+    tell(std::to_string(glGetError()));
+}
+
+SCENE(rectangles)
+{
+    two_dimensions();
+    glColor3f(0.8f, 0.3f, 0.3f);
+    glRecti(1, 1, 5, 4);
+    glColor3f(0.3f, 0.8f, 0.3f);
+    glRectf(6.5f, 1.2f, 9.1f, 8.8f);
+    const GLdouble one[] = {14, 10}, other[] = {10.5, 2};
+    glEnable(GL_CULL_FACE); // Both corners changed: still counter-clockwise.
+    glRectdv(one, other);
+    glRects(2, 10, 5, 6); // One pair changed: clockwise, and culled.
+}

@@ -94,6 +94,36 @@ void legacygl_capture_begin(LegacyGLContext* context);
 /** Ends noting. Returns the calls, valid until the next capture begins or the context is destroyed. */
 const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count);
 
+/* What is implemented so far, and how it differs from OpenGL
+   ============================================================
+
+   A function that is in no list below is not defined here: a program that calls it does not link.
+
+   Implemented, with all their type variants: glBegin, glEnd, glVertex, glNormal, glColor, glTexCoord,
+   glMultiTexCoord, glSecondaryColor, glFogCoord, glRect; glMatrixMode, glLoadIdentity, glLoadMatrix,
+   glMultMatrix, glTranslate, glRotate, glScale, glFrustum, glOrtho, glPushMatrix, glPopMatrix, glViewport,
+   glDepthRange; glGenLists, glNewList, glEndList, glCallList, glCallLists, glListBase, glDeleteLists, glIsList;
+   glLight, glLightModel, glMaterial, glColorMaterial, glShadeModel; glGenTextures, glBindTexture,
+   glDeleteTextures, glIsTexture, glTexImage1D, glTexImage2D, glTexParameter, glTexEnv, glTexGen,
+   glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace, glLineWidth, glPointSize,
+   glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp, glStencilMask,
+   glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask, glFog; glClear, glClearColor,
+   glClearDepth, glClearStencil, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays
+   (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glGet for the state of these,
+   glGetError, glGetString, glGetPointerv, glHint. Of GLU: projections, quadrics, mipmaps, glu strings; what GLU
+   lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
+
+   Not implemented, and not defined: glPushAttrib, glPopAttrib and their client forms; glPolygonMode, glEdgeFlag,
+   glLineStipple, glPolygonStipple, glLogicOp; glClipPlane; glTexSubImage, glCopyTexImage, glCopyTexSubImage,
+   glGetTexImage, proxy textures, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen, glGetTexParameter,
+   glGetClipPlane, glDrawBuffer, glReadBuffer; raster positions, glBitmap, glDrawPixels, glCopyPixels, pixel
+   transfer and maps; selection and feedback; evaluators; accumulation; colour index.
+
+   Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. GL_CLAMP samples as
+   GL_CLAMP_TO_EDGE, since ES has no border. Line widths beyond what the ES implementation draws are drawn as
+   wide as it can. Quads are cut along the diagonal that Mesa uses in display lists, also in immediate mode.
+   Textures are stored with eight bits a channel. An own target has one colour buffer. */
+
 #ifdef __cplusplus
 }
 #endif

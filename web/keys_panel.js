@@ -22,6 +22,7 @@ function row(command, labels, program) {
     button.onclick = () => program.command(command.name);
     return button;
   }
+  button.onmousedown = (event) => event.preventDefault(); // The picture keeps the focus, and with it its keys.
   const hold = () => program.command(command.name, 1);
   const release = () => program.command(command.name, 0);
   button.onpointerdown = (event) => {

@@ -1,5 +1,7 @@
 #include "platform/egl_context.h"
 
+#include "platform/leak_suppressions.h"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -57,6 +59,7 @@ std::string EglContext::open(GlApi api)
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
         return failed("making the context current without a surface");
     }
+    keep_driver_loaded();
     return "";
 }
 

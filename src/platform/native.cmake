@@ -10,7 +10,7 @@ target_include_directories(platform_files SYSTEM PRIVATE ${STB_INCLUDE_DIR})
 # tanklab-render and tanklab-render-reference: one source, two libraries that define the same gl* symbols.
 # The emulated one links no OpenGL of the system, so that a function legacygl lacks is a link error.
 function(add_render_program name renderer gl_library)
-  add_library(platform_offscreen_${renderer} STATIC egl_context.cpp offscreen_target_${renderer}.cpp)
+  add_library(platform_offscreen_${renderer} STATIC egl_context.cpp leak_suppressions.cpp offscreen_target_${renderer}.cpp)
   target_include_directories(platform_offscreen_${renderer} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(platform_offscreen_${renderer} PUBLIC ${gl_library} PkgConfig::EGL)
   add_executable(${name} render_main.cpp render_options.cpp)

@@ -60,10 +60,16 @@ std::uint8_t read_byte(GLenum type, const std::uint8_t* p)
     return type == GL_UNSIGNED_BYTE ? *p : to_byte(read_value(type, p));
 }
 
-void read_pixel(GLenum format, GLenum type, const std::uint8_t* p, std::uint8_t out[4])
+void read_pixel(bool swap, GLenum format, GLenum type, const std::uint8_t* p, std::uint8_t out[4])
 {
     const int size = bytes_per_value(type);
-    const auto value = [&](int i) { return read_byte(type, p + i * size); };
+    const auto value = [&](int i) {
+        std::uint8_t bytes[4];
+        std::memcpy(bytes, p + i * size, static_cast<std::size_t>(size));
+        if (swap)
+            std::reverse(bytes, bytes + size);
+        return read_byte(type, bytes);
+    };
     out[0] = out[1] = out[2] = 0;
     out[3] = 255;
     switch (format) {
@@ -239,7 +245,7 @@ std::vector<std::uint8_t> unpack_texture(const PixelStore& store, int width, int
     for (int y = 0; y < height; ++y) {
         const std::uint8_t* from = pixels + layout.start + layout.row * y;
         for (int x = 0; x < width; ++x, from += layout.pixel, to += 4) {
-            read_pixel(format, type, from, to);
+            read_pixel(store.swap_bytes, format, type, from, to);
             keep_components(base, to);
         }
     }
@@ -258,6 +264,8 @@ void pack_pixels(const PixelStore& store, int width, int height, GLenum format, 
                 if (type == GL_FLOAT) {
                     const float f = static_cast<float>(value) / 255.0f;
                     std::memcpy(to + i * size, &f, sizeof f);
+                    if (store.swap_bytes)
+                        std::reverse(to + i * size, to + (i + 1) * size);
                 } else {
                     to[i] = value;
                 }

@@ -138,6 +138,26 @@ QueryValue query(const Context& gl, GLenum name)
         return integer(gl.list_base);
     case GL_MAX_LIST_NESTING:
         return integer(64);
+    case GL_PACK_SWAP_BYTES:
+        return boolean(s.pack.swap_bytes);
+    case GL_PACK_LSB_FIRST:
+        return boolean(s.pack.lsb_first);
+    case GL_PACK_ROW_LENGTH:
+        return integer(s.pack.row_length);
+    case GL_PACK_SKIP_ROWS:
+        return integer(s.pack.skip_rows);
+    case GL_PACK_SKIP_PIXELS:
+        return integer(s.pack.skip_pixels);
+    case GL_UNPACK_SWAP_BYTES:
+        return boolean(s.unpack.swap_bytes);
+    case GL_UNPACK_LSB_FIRST:
+        return boolean(s.unpack.lsb_first);
+    case GL_UNPACK_ROW_LENGTH:
+        return integer(s.unpack.row_length);
+    case GL_UNPACK_SKIP_ROWS:
+        return integer(s.unpack.skip_rows);
+    case GL_UNPACK_SKIP_PIXELS:
+        return integer(s.unpack.skip_pixels);
     case GL_PACK_ALIGNMENT:
         return integer(s.pack.alignment);
     case GL_UNPACK_ALIGNMENT:

@@ -19,6 +19,14 @@ void set_store(Context& gl, GLenum name, GLint value)
         member = value;
     };
     switch (name) {
+    case GL_PACK_SWAP_BYTES:
+    case GL_UNPACK_SWAP_BYTES:
+        store.swap_bytes = value != 0;
+        return;
+    case GL_PACK_LSB_FIRST:
+    case GL_UNPACK_LSB_FIRST:
+        store.lsb_first = value != 0;
+        return;
     case GL_PACK_ROW_LENGTH:
     case GL_UNPACK_ROW_LENGTH:
         return set(store.row_length);

@@ -120,7 +120,9 @@ SCENE(glu_sphere_silhouette)
 {
     grid(sphere, GLU_SILHOUETTE);
 }
-SCENE(glu_sphere_point)
+// Twelve points of size two have their centres exactly half-way between two rows: Mesa rounds them down, we
+// up.
+SCENE(glu_sphere_point, {48, "centres half-way between two rows of pixels"})
 {
     grid(sphere, GLU_POINT);
 }

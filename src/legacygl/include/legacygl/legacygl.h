@@ -21,7 +21,8 @@ typedef struct LegacyGLContext LegacyGLContext;
 typedef void* (*LegacyGLLoader)(const char* name);
 
 /** Where a context draws. */
-typedef enum LegacyGLTarget {
+typedef enum LegacyGLTarget
+{
     /** Straight into the window's default framebuffer; nothing is kept after a present. */
     LEGACYGL_TARGET_WINDOW = 0,
     /** Into colour, depth and stencil of its own that keep their contents; present copies them out. */
@@ -64,7 +65,8 @@ void legacygl_context_restored(LegacyGLContext* context);
 const char* legacygl_last_message(void);
 
 /** Counts since the last legacygl_reset_counters. */
-typedef struct LegacyGLCounters {
+typedef struct LegacyGLCounters
+{
     uint64_t draw_calls;      /**< ES draw calls. */
     uint64_t vertices;        /**< Vertices (or indices) those draw calls named. */
     uint64_t programs;        /**< Shader programs linked. */
@@ -80,12 +82,14 @@ LegacyGLCounters legacygl_counters(const LegacyGLContext* context);
 void legacygl_reset_counters(LegacyGLContext* context);
 
 /** One captured call. */
-typedef struct LegacyGLCall {
-    const char* name;      /**< "glTranslatef"; static. */
-    int list_depth;        /**< 0: the program called it; n: it ran inside n nested lists. */
-    int argument_count;    /**< How many of arguments are set; a pointer's pointees count where short (matrices). */
-    double arguments[16];  /**< The arguments as numbers, in order. */
-    float modelview[16];   /**< The modelview matrix on top when the call was made, column-major. */
+typedef struct LegacyGLCall
+{
+    const char* name;   /**< "glTranslatef"; static. */
+    int list_depth;     /**< 0: the program called it; n: it ran inside n nested lists. */
+    int argument_count; /**< How many of arguments are set; a pointer's pointees count where short (matrices).
+                         */
+    double arguments[16]; /**< The arguments as numbers, in order. */
+    float modelview[16];  /**< The modelview matrix on top when the call was made, column-major. */
 } LegacyGLCall;
 
 /** Begins noting every gl* call, also those that lists make; what was noted before is dropped. */
@@ -102,22 +106,23 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    Implemented, with all their type variants: glBegin, glEnd, glVertex, glNormal, glColor, glTexCoord,
    glMultiTexCoord, glSecondaryColor, glFogCoord, glRect; glMatrixMode, glLoadIdentity, glLoadMatrix,
    glMultMatrix, glTranslate, glRotate, glScale, glFrustum, glOrtho, glPushMatrix, glPopMatrix, glViewport,
-   glDepthRange; glGenLists, glNewList, glEndList, glCallList, glCallLists, glListBase, glDeleteLists, glIsList;
-   glLight, glLightModel, glMaterial, glColorMaterial, glShadeModel; glGenTextures, glBindTexture,
+   glDepthRange; glGenLists, glNewList, glEndList, glCallList, glCallLists, glListBase, glDeleteLists,
+   glIsList; glLight, glLightModel, glMaterial, glColorMaterial, glShadeModel; glGenTextures, glBindTexture,
    glDeleteTextures, glIsTexture, glTexImage1D, glTexImage2D, glTexParameter, glTexEnv, glTexGen,
    glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace, glLineWidth, glPointSize,
-   glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp, glStencilMask,
-   glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask, glFog; glClear, glClearColor,
-   glClearDepth, glClearStencil, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays
-   (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glGet for the state of these,
-   glGetError, glGetString, glGetPointerv, glHint. Of GLU: projections, quadrics, mipmaps, glu strings; what GLU
-   lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
+   glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp,
+   glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask, glFog;
+   glClear, glClearColor, glClearDepth, glClearStencil, glFlush, glFinish, glReadPixels, glPixelStore; the
+   vertex arrays (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glGet for the
+   state of these, glGetError, glGetString, glGetPointerv, glHint. Of GLU: projections, quadrics, mipmaps, glu
+   strings; what GLU lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names
+   it).
 
-   Not implemented, and not defined: glPushAttrib, glPopAttrib and their client forms; glPolygonMode, glEdgeFlag,
-   glLineStipple, glPolygonStipple, glLogicOp; glClipPlane; glTexSubImage, glCopyTexImage, glCopyTexSubImage,
-   glGetTexImage, proxy textures, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen, glGetTexParameter,
-   glGetClipPlane, glDrawBuffer, glReadBuffer; raster positions, glBitmap, glDrawPixels, glCopyPixels, pixel
-   transfer and maps; selection and feedback; evaluators; accumulation; colour index.
+   Not implemented, and not defined: glPushAttrib, glPopAttrib and their client forms; glPolygonMode,
+   glEdgeFlag, glLineStipple, glPolygonStipple, glLogicOp; glClipPlane; glTexSubImage, glCopyTexImage,
+   glCopyTexSubImage, glGetTexImage, proxy textures, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen,
+   glGetTexParameter, glGetClipPlane, glDrawBuffer, glReadBuffer; raster positions, glBitmap, glDrawPixels,
+   glCopyPixels, pixel transfer and maps; selection and feedback; evaluators; accumulation; colour index.
 
    Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. GL_CLAMP samples as
    GL_CLAMP_TO_EDGE, since ES has no border. Line widths beyond what the ES implementation draws are drawn as

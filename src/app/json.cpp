@@ -106,12 +106,8 @@ void write_command(JsonWriter& json, const Command& command)
     json.end_object();
 }
 
-} // namespace
-
-std::string state_json(const State& state, const Assets* assets)
+void write_state(JsonWriter& json, const State& state)
 {
-    JsonWriter json;
-    json.begin_object();
     for (const Field& field : fields()) {
         json.key(field.name);
         write_value(json, field, grid_value(field, state));
@@ -127,15 +123,63 @@ std::string state_json(const State& state, const Assets* assets)
         }
     }
     json.end_array();
+    write_task_id(json, state, TaskKind::task);
+    write_task_id(json, state, TaskKind::figure);
+}
+
+void write_hits(JsonWriter& json, const Simulation& simulation)
+{
+    json.key("count").number(simulation.log().count());
+    json.key("report");
+    write_report(json, simulation.report());
+    json.key("lines").begin_array();
+    for (const std::string& line : report_lines(simulation.report())) {
+        json.string(line);
+    }
+    json.end_array();
+}
+
+} // namespace
+
+std::string state_json(const State& state, const Assets* assets)
+{
+    JsonWriter json;
+    json.begin_object();
+    write_state(json, state);
     json.key("level");
     if (assets != nullptr) {
         json.string(level_name(make_frame(state, *assets).tanks[0].level));
     } else {
         json.null();
     }
-    write_task_id(json, state, TaskKind::task);
-    write_task_id(json, state, TaskKind::figure);
     json.end_object();
+    return json.take();
+}
+
+std::string state_json(const Simulation& simulation)
+{
+    JsonWriter json;
+    json.begin_object();
+    write_state(json, simulation.state());
+    json.key("level").string(level_name(simulation.frame().tanks[0].level));
+    json.key("hits").begin_object();
+    write_hits(json, simulation);
+    json.end_object();
+    json.end_object();
+    return json.take();
+}
+
+std::string hits_json(const Simulation& simulation)
+{
+    JsonWriter json;
+    json.begin_object();
+    write_hits(json, simulation);
+    json.key("log").begin_array();
+    for (const LogLine& line : simulation.log().lines()) {
+        json.begin_object().key("report").number(line.report);
+        json.key("text").string(line.text).end_object();
+    }
+    json.end_array().end_object();
     return json.take();
 }
 

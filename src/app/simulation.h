@@ -1,0 +1,60 @@
+#pragma once
+
+#include "app/assets.h"
+#include "app/commands.h"
+#include "app/frame.h"
+#include "app/hit_log.h"
+#include "app/hit_report.h"
+#include "app/links.h"
+#include "app/state.h"
+#include "app/tank_spheres.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// The running program without window and GL: the state and what follows from it. The state goes its way by
+/// commands, steps and links alone; here is what it meets there. Everything the state does not say by
+/// itself, such as where the spheres are, is here and brought up to date by each call.
+/// Not for several threads at once. A step in which nothing moves allocates nothing.
+class Simulation
+{
+public:
+    /// Begins in the default state. `assets` must outlive this.
+    explicit Simulation(const Assets& assets);
+
+    /// Does a command: see app::apply().
+    std::string apply(const Command& command, double value);
+    std::string apply(std::string_view name, double value);
+
+    /// Advances by one tick: see app::step().
+    void step();
+
+    /// Opens a fragment: see app::open_link(). What a link has under way is replayed.
+    LinkResult open_link(std::string_view fragment);
+
+    const State& state() const { return state_; }
+    const Assets& assets() const { return *assets_; }
+    const TankSpheres& spheres() const { return spheres_; }
+
+    /// Returns how the probe was tested, as it is now.
+    const HitReport& report() const { return report_; }
+    const HitLog& log() const { return log_; }
+
+    /// Returns what is to be drawn. Views of particles in it last until this is next changed.
+    Frame frame() const;
+
+private:
+    void follow(const State& before);
+    void update_report(bool is_asked);
+
+    const Assets* assets_;
+    State state_;
+    TankSpheres spheres_;
+    HitReport report_;
+    HitLog log_;
+};
+
+} // namespace app

@@ -10,6 +10,20 @@ GLint get(GLenum name)
     return value;
 }
 
+/// Changes what differs.
+void set(const PixelStoreModes& from, const PixelStoreModes& to)
+{
+    const auto change = [](GLenum name, GLint before, GLint value) {
+        if (before != value)
+            glPixelStorei(name, value);
+    };
+    change(GL_UNPACK_ALIGNMENT, from.alignment, to.alignment);
+    change(GL_UNPACK_ROW_LENGTH, from.row_length, to.row_length);
+    change(GL_UNPACK_SKIP_ROWS, from.skip_rows, to.skip_rows);
+    change(GL_UNPACK_SKIP_PIXELS, from.skip_pixels, to.skip_pixels);
+    change(GL_UNPACK_SWAP_BYTES, from.swap_bytes, to.swap_bytes);
+}
+
 constexpr PackedType PACKED_TYPES[] = {
     {GL_UNSIGNED_BYTE_3_3_2, 1, 3, {3, 3, 2, 0}, false},
     {GL_UNSIGNED_BYTE_2_3_3_REV, 1, 3, {3, 3, 2, 0}, true},
@@ -54,20 +68,12 @@ PixelStoreModes PixelStoreModes::packing()
 
 TightUnpacking::TightUnpacking(const PixelStoreModes& before) : before_(before)
 {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-    glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
+    set(before_, {1, 0, 0, 0, GL_FALSE});
 }
 
 TightUnpacking::~TightUnpacking()
 {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, before_.alignment);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, before_.row_length);
-    glPixelStorei(GL_UNPACK_SKIP_ROWS, before_.skip_rows);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, before_.skip_pixels);
-    glPixelStorei(GL_UNPACK_SWAP_BYTES, before_.swap_bytes);
+    set({1, 0, 0, 0, GL_FALSE}, before_);
 }
 
 const PackedType* find_packed_type(GLenum type)

@@ -2,12 +2,16 @@
 
 #include "app/assets.h"
 #include "app/commands.h"
+#include "app/contacts.h"
 #include "app/frame.h"
 #include "app/hit_log.h"
 #include "app/hit_report.h"
 #include "app/links.h"
+#include "app/sparks.h"
 #include "app/state.h"
 #include "app/tank_spheres.h"
+#include "lod/level_selector.h"
+#include "particles/particle_system.h"
 
 #include <cstdint>
 #include <string>
@@ -43,11 +47,33 @@ public:
     const HitReport& report() const { return report_; }
     const HitLog& log() const { return log_; }
 
+    /// Returns the parts whose spheres the projectile is inside of: in flight, or at rest when it is tested.
+    collision::PartSet inside() const { return contacts_.inside(); }
+
+    /// Returns how many times the projectile has touched a part's sphere since the last opening or firing.
+    std::uint64_t touches() const { return touches_; }
+
+    const Sparks& sparks() const { return sparks_; }
+    const particles::ParticleSystem& shown_particles() const { return particles_; }
+
+    /// Returns the level by distance, with its memory, and how often it has switched since the last opening.
+    Level level() const;
+    std::uint64_t level_switches() const { return level_switches_; }
+
+    /// Returns the 64-bit FNV-1a hash of the state, of what the projectile is inside of and of the sparks
+    /// and particles since the event: the same on every machine after the same commands, and after opening a
+    /// link of what is under way.
+    std::uint64_t hash() const;
+
     /// Returns what is to be drawn. Views of particles in it last until this is next changed.
     Frame frame() const;
 
 private:
     void follow(const State& before);
+    void begin_event();
+    void set_up_particles();
+    void update_level(bool is_opened);
+    void meet();
     void update_report(bool is_asked);
 
     const Assets* assets_;
@@ -55,6 +81,12 @@ private:
     TankSpheres spheres_;
     HitReport report_;
     HitLog log_;
+    Contacts contacts_;
+    Sparks sparks_;
+    particles::ParticleSystem particles_; ///< the preset that is shown
+    std::uint64_t touches_ = 0;
+    lod::LevelSelector level_;
+    std::uint64_t level_switches_ = 0;
 };
 
 } // namespace app

@@ -37,11 +37,25 @@ void add_sphere(Frame& frame, SpheresShown shown, const SphereInFrame& sphere)
     }
 }
 
+void add_particles(Frame& frame, const particles::ParticleSystem& system)
+{
+    if (system.live() > 0) {
+        frame.particles[frame.particle_view_count++] = system.view();
+    }
+}
+
 } // namespace
 
 Frame Simulation::frame() const
 {
     Frame frame = make_frame(state_, *assets_);
+    if (state_.show.detail == Detail::automatic) {
+        frame.tanks[0].level = level();
+    }
+    for (const particles::ParticleSystem* system : sparks_.systems()) {
+        add_particles(frame, *system);
+    }
+    add_particles(frame, particles_);
     const collision::SphereHierarchy& spheres = spheres_.hierarchy();
     const collision::Explanation& explanation = report_.explanation;
     const SpheresShown shown = state_.show.spheres;
@@ -50,7 +64,7 @@ Frame Simulation::frame() const
                 .radius = spheres.root().radius,
                 .is_root = true,
                 .part = tank::Part::body,
-                .is_penetrated = explanation.root.is_inside});
+                .is_penetrated = explanation.root.is_inside || !contacts_.inside().is_empty()});
     for (tank::Part part : tank::ALL_PARTS) {
         const collision::BoundingSphere& sphere = spheres.parts()[tank::index_of(part)];
         add_sphere(frame, shown,
@@ -58,7 +72,8 @@ Frame Simulation::frame() const
                     .radius = sphere.radius,
                     .is_root = false,
                     .part = part,
-                    .is_penetrated = explanation.hits.contains(tank::index_of(part))});
+                    .is_penetrated = explanation.hits.contains(tank::index_of(part)) ||
+                                     contacts_.inside().contains(tank::index_of(part))});
     }
     const auto used = frame.spheres.begin() + static_cast<std::ptrdiff_t>(frame.sphere_count);
     std::sort(frame.spheres.begin(), used,

@@ -91,6 +91,17 @@ constexpr Task TASKS[] = {
      .link = "distance=18&look_z=0.8&probe=segment&handle=line_a",
      .source = "src/collision/closest_point.h"},
     {.kind = TaskKind::task,
+     .id = "2.6",
+     .title = "Sparks where the projectile hits",
+     .text =
+         "Fire the projectile along its line: where it touches the sphere of a part there is one burst of "
+         "sparks, and a weak shower while it stays inside. They fall, bounce on the ground and go out.",
+     .commands = {"fire", "fire_at_aim", "next_handle", "projectile_left", "projectile_right",
+                  "projectile_up", "projectile_down", "next_particles"},
+     .link = "distance=14&look_z=0.8&line_ax=10&line_ay=2.4&line_az=2&line_bx=0&line_by=2.4&line_bz=1"
+             "&event=fire&tick=32",
+     .source = "src/app/sparks.cpp"},
+    {.kind = TaskKind::task,
      .id = "3.1",
      .title = "Assemble the low-detail tank",
      .text =

@@ -69,7 +69,7 @@ EglContext::~EglContext()
     if (context_ != nullptr) {
         eglDestroyContext(display_, context_);
     }
-    eglTerminate(display_);
+    // The display stays: it is one for the whole process, and another context may be using it.
 }
 
 void* find_egl_function(const char* name)

@@ -127,7 +127,20 @@ HitReport hit_report(const State& state, const collision::SphereHierarchy& spher
     if (!query) {
         return {};
     }
-    return {state.projectile.probe, *query, spheres.explain(*query)};
+    return {state.projectile.probe, *query, spheres.explain(*query), {}};
+}
+
+void test_triangles(HitReport& report, const TankTriangles& triangles, const tank::PartMatrices& matrices)
+{
+    if (report.probe != Probe::point) {
+        return;
+    }
+    report.explanation.hits.for_each([&](std::size_t index) {
+        const auto part = static_cast<tank::Part>(index);
+        if (const auto test = triangles.test(report.query.origin, part, matrices.mesh(part))) {
+            report.triangles.push_back(*test);
+        }
+    });
 }
 
 std::vector<std::string> report_lines(const HitReport& report)
@@ -153,6 +166,12 @@ std::vector<std::string> report_lines(const HitReport& report)
     });
     if (is_inside && explanation.hits.is_empty()) {
         lines.push_back("It penetrates none of the " + std::to_string(explanation.parts.size()) + " parts.");
+    }
+    for (const TriangleTest& test : report.triangles) {
+        lines.push_back("Against its triangles it is " +
+                        std::string(test.is_inside ? "inside " : "outside ") +
+                        std::string(tank::part_name(test.part)) + ", " + in_metres(test.distance) +
+                        " m from the surface" + (test.is_inside ? "." : ": rejected."));
     }
     return lines;
 }
@@ -187,6 +206,15 @@ void write_report(JsonWriter& json, const HitReport& report)
     explanation.hits.for_each([&](std::size_t part) {
         write_sphere(json, tank::part_name(static_cast<tank::Part>(part)), explanation.parts[part]);
     });
+    json.end_array();
+    json.key("triangles").begin_array();
+    for (const TriangleTest& test : report.triangles) {
+        json.begin_object().key("part").string(tank::part_name(test.part));
+        json.key("inside").boolean(test.is_inside);
+        json.key("distance").decimal(to_millimetres(test.distance), 3);
+        write_point(json, "nearest", test.point);
+        json.end_object();
+    }
     json.end_array().end_object();
 }
 

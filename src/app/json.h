@@ -14,7 +14,10 @@ namespace app {
 /// or null); `level`: "high" or "low", the model that is drawn, or null without assets.
 std::string state_json(const State& state, const Assets* assets);
 
-/// Returns the same for a running simulation, and besides: `hits`, as hits_json() but without its log.
+/// Returns the same for a running simulation, and besides: `hits`, as hits_json() but without its log;
+/// `event` (none, open or fire), `shot` (where it is, or null), `inside` (the parts whose spheres the
+/// projectile is inside of), `touches`, `sparks` (how many are alight), `level_switches`; and `evidence`,
+/// what shows live that the task is done, as {label, value} (see facts()).
 std::string state_json(const Simulation& simulation);
 
 /// Returns what the probe hits as {`count`, `report`, `lines`, `log`}. count: of what was printed since the

@@ -223,7 +223,8 @@ struct Replay
     std::int64_t seed = FIRST_SEED;
 };
 
-constexpr std::array<std::string_view, 3> EVENT_NAMES = {"none", "open", "fire"};
+constexpr std::array<std::string_view, 3> EVENT_NAMES = {
+    event_name(EventKind::none), event_name(EventKind::open), event_name(EventKind::fire)};
 
 bool is_replay_key(std::string_view key)
 {

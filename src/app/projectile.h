@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string_view>
 
 namespace app {
 
@@ -59,6 +60,12 @@ enum class EventKind : std::uint8_t
     open, ///< the opening of the link
     fire,
 };
+
+/// Returns "none", "open" or "fire".
+constexpr std::string_view event_name(EventKind kind)
+{
+    return kind == EventKind::open ? "open" : kind == EventKind::fire ? "fire" : "none";
+}
 
 /// Holds the animation that a link can replay: it began with this event, in the state's fields as they are.
 /// When one of these that matters to it changes, it cannot be replayed any more and there is none.

@@ -18,7 +18,7 @@ bool same_probe(const Projectile& one, const Projectile& other)
 
 } // namespace
 
-Simulation::Simulation(const Assets& assets) : assets_(&assets), spheres_(assets)
+Simulation::Simulation(const Assets& assets) : assets_(&assets), spheres_(assets), triangles_(assets)
 {
     update_level(true);
     begin_event();
@@ -61,7 +61,9 @@ void Simulation::follow(const State& before)
     const bool has_moved = spheres_.refit(state_);
     const bool is_opened = state_.revision.openings != before.revision.openings;
     const bool is_asked = state_.revision.prints != before.revision.prints;
-    if (has_moved || is_opened || is_asked || !same_probe(before.projectile, state_.projectile)) {
+    const bool is_other_test = state_.show.triangles != before.show.triangles;
+    if (has_moved || is_opened || is_asked || is_other_test ||
+        !same_probe(before.projectile, state_.projectile)) {
         update_report(is_asked);
     }
     update_level(is_opened);
@@ -166,6 +168,9 @@ void Simulation::update_report(bool is_asked)
         return;
     }
     report_ = hit_report(state_, spheres_.hierarchy());
+    if (state_.show.triangles) {
+        test_triangles(report_, triangles_, spheres_.matrices());
+    }
     log_.print(report_lines(report_), is_asked);
 }
 

@@ -79,6 +79,7 @@ private:
     const Assets* assets_;
     State state_;
     TankSpheres spheres_;
+    TankTriangles triangles_;
     HitReport report_;
     HitLog log_;
     Contacts contacts_;

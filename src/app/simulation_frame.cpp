@@ -94,6 +94,9 @@ Frame Simulation::frame() const
         const collision::SphereTest& test = explanation.parts[part];
         frame.closest_points[frame.closest_point_count++] = {test.closest_point, test.sphere.centre, false};
     });
+    for (const TriangleTest& test : report_.triangles) {
+        frame.triangles[frame.triangle_count++] = {test.corners, test.point, test.is_inside};
+    }
     return frame;
 }
 

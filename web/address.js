@@ -1,30 +1,41 @@
-// The address follows the state, and the state follows an address that the reader changes.
+// The address follows the state, and the state follows an address that somebody changes.
+import { dismiss, notify } from "./notices.js";
 
-const PAUSE_MS = 500; // Browsers refuse more than some hundred changes a minute.
+const PAUSE_MS = 500; // Safari refuses more than 100 changes in 30 s
 
-/** Keeps the fragment of the address and the state the same, without a new entry in the history. */
-export function watchAddress(program, states, notify) {
-  let written = location.hash.slice(1);
+/** Returns the whole address of the newest state. */
+export function addressOf(program) {
+  const { link } = program.newest;
+  return location.href.replace(/#.*$/s, "") + (link ? `#${link}` : "");
+}
+
+/** Opens a fragment and tells what is wrong with it. */
+function open(program, fragment) {
+  dismiss("link");
+  for (const sentence of program.openLink(fragment)) notify(sentence, { topic: "link" });
+}
+
+/** Keeps the address's fragment and the state the same, without new entries in the history. */
+export function followAddress(program) {
   let timer = 0;
   const write = () => {
+    clearTimeout(timer);
     timer = 0;
-    const link = program.link();
-    if (link === written) return;
-    written = link;
+    if (!program.newest || location.hash === (program.newest.link && `#${program.newest.link}`)) return;
     try {
-      history.replaceState(history.state, "", link ? `#${link}` : location.pathname + location.search);
+      history.replaceState(history.state, "", addressOf(program));
     } catch {
-      // A browser that has had enough for now; the next change tries again.
+      timer = setTimeout(write, PAUSE_MS); // the browser has had enough for now
     }
   };
-  states.listen(() => {
-    if (timer === 0) timer = setTimeout(write, PAUSE_MS);
+  program.listen(() => {
+    if (!timer) timer = setTimeout(write, PAUSE_MS);
   });
   addEventListener("pagehide", write);
-  addEventListener("hashchange", () => {
-    const fragment = location.hash.slice(1);
-    if (fragment === written) return;
-    for (const sentence of program.openLink(fragment)) notify(sentence);
-    written = fragment;
+  addEventListener("hashchange", () => open(program, location.hash.slice(1)));
+  // A link to where the address is already changes nothing there, but the state may have moved since.
+  document.addEventListener("click", (event) => {
+    const link = event.target.closest?.("a[href^='#']");
+    if (link && link.hash === location.hash) open(program, link.hash.slice(1));
   });
 }

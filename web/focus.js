@@ -1,15 +1,24 @@
-// The keys work while the picture has the focus; a hint says so when it has not.
+// The keys work while the picture has the focus.
 
-/** Watches the focus of the canvas. */
-export function followFocus(canvas, program) {
+/** Follows the focus: a hint says when the keys do not work, a ring shows where Tab has come to. */
+export function followFocus(canvas) {
   const hint = document.getElementById("focus-hint");
-  canvas.addEventListener("focus", () => (hint.hidden = true));
-  canvas.addEventListener("blur", () => {
-    program.command("release_all");
-    hint.hidden = false;
+  let byTab = false;
+  document.addEventListener("keydown", (event) => (byTab = event.key === "Tab"), true);
+  document.addEventListener("pointerdown", () => (byTab = false), true);
+  const follow = () => {
+    const focused = document.activeElement === canvas;
+    hint.hidden = focused;
+    canvas.classList.toggle("ring", focused && byTab);
+  };
+  canvas.addEventListener("focus", follow);
+  canvas.addEventListener("blur", follow);
+  follow();
+
+  // Buttons leave the focus to the picture when they are clicked, so that the keys go on working; what is
+  // typed into takes it, and whoever comes to a button by Tab stays there.
+  document.addEventListener("mousedown", (event) => {
+    const target = event.target.closest("button, summary, a");
+    if (target && document.activeElement === canvas) event.preventDefault();
   });
-  canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
-  // SDL keeps every key from the browser; Tab must still lead out of the picture.
-  for (const type of ["keydown", "keyup"])
-    canvas.addEventListener(type, (event) => event.key === "Tab" && event.stopImmediatePropagation(), { capture: true });
 }

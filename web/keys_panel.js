@@ -1,62 +1,23 @@
-// The list of keys, made from the program's table of commands. A row is a button that does what the key does.
-import { keycaps, keyLabels } from "./keycaps.js";
+// The list of keys, made from the program's table of commands. Each row is a button, too.
+import { commandButton } from "./command_button.js";
+import { element } from "./elements.js";
+import { byGroup, foldedGroup } from "./groups.js";
+import { keycaps, keyLabels } from "./key_labels.js";
 
-function group(commands) {
-  const groups = new Map();
-  for (const command of commands) {
-    if (!groups.has(command.group)) groups.set(command.group, []);
-    groups.get(command.group).push(command);
-  }
-  return groups;
-}
-
-function row(command, labels, program) {
-  const button = document.createElement("button");
-  button.type = "button";
-  button.className = "key-row";
-  button.dataset.command = command.name;
-  const title = document.createElement("span");
-  title.textContent = command.title;
-  button.append(title, keycaps(labels(command)));
-  if (command.kind === "press") {
-    button.onclick = () => program.command(command.name);
-    return button;
-  }
-  button.onmousedown = (event) => event.preventDefault(); // The picture keeps the focus, and with it its keys.
-  const hold = () => program.command(command.name, 1);
-  const release = () => program.command(command.name, 0);
-  button.onpointerdown = (event) => {
-    button.setPointerCapture(event.pointerId);
-    hold();
-  };
-  button.onpointerup = button.onpointercancel = button.onlostpointercapture = release;
-  button.onkeydown = (event) => {
-    if (event.code === "Enter" || event.code === "Space") {
-      event.preventDefault();
-      if (!event.repeat) hold();
-    }
-  };
-  button.onkeyup = button.onblur = release;
-  return button;
-}
-
-/** Fills the panel of keys and lights the rows whose commands are held. */
-export async function showKeys(program, states) {
+/** Fills the panel; rows whose commands are held are lit. */
+export function showKeys({ program, layout, act }) {
   const panel = document.getElementById("keys");
-  const labels = await keyLabels();
+  const row = (command) =>
+    commandButton(command, "row", [element("span", "", command.title), keycaps(keyLabels(command, layout))], act);
   const withKeys = program.commands().filter((command) => command.keys.length > 0);
-  for (const [name, commands] of group(withKeys)) {
-    const title = document.createElement("h2");
-    title.textContent = name;
-    panel.append(title, ...commands.map((command) => row(command, labels, program)));
-  }
-  const mouse = document.createElement("h2");
-  mouse.textContent = "Mouse";
-  const text = document.createElement("p");
-  text.textContent = "Drag to go round the tank, turn the wheel to go nearer or further away.";
-  panel.append(mouse, text);
-  states.listen((state) => {
-    for (const button of panel.querySelectorAll(".key-row"))
-      button.classList.toggle("held", state.held.includes(button.dataset.command));
+  for (const [title, commands] of byGroup(withKeys)) panel.append(foldedGroup(title, `keys.${title}`, commands.map(row)));
+  panel.append(element("p", "note", "Drag the picture to go round the tank; turn the wheel, or use two fingers, to go nearer or further away."));
+
+  const rows = [...panel.querySelectorAll("[data-command]")];
+  let shown = "";
+  program.listen(({ held }) => {
+    if (held.join() === shown) return;
+    shown = held.join();
+    for (const one of rows) one.classList.toggle("held", held.includes(one.dataset.command));
   });
 }

@@ -1,68 +1,75 @@
-// Fetches the program and its models, and shows how far that is.
+// Fetches the program and the tank's files, and shows how much of them is there.
 import { LoadFailure } from "./failure.js";
 
-const bar = document.getElementById("loading");
-const fill = bar.querySelector(".fill");
-const text = document.getElementById("loading-text");
+const screen = document.getElementById("loading");
+const track = screen.querySelector(".track");
 
-/** Shows a share from 0 to 1 and what is being loaded. */
-function show(share, what) {
-  const percent = Math.round(100 * Math.min(1, share));
-  bar.setAttribute("aria-valuenow", String(percent));
-  bar.setAttribute("aria-valuetext", `${what}, ${percent} %`);
-  fill.style.width = `${percent}%`;
-  text.textContent = what;
+/** Shows a share from 0 to 1 and what is going on. */
+export function showProgress(share, what) {
+  const percent = Math.floor(100 * Math.min(1, share));
+  track.setAttribute("aria-valuenow", String(percent));
+  track.setAttribute("aria-valuetext", `${what}, ${percent} %`);
+  track.firstElementChild.style.transform = `scaleX(${percent / 100})`;
+  document.getElementById("loading-what").textContent = what;
+  document.getElementById("loading-share").textContent = `${percent} %`;
 }
 
-/** Fetches one file; calls arrived(bytes) as its parts arrive. */
+/** Fades the screen out, and takes it away. */
+export function hideProgress() {
+  setTimeout(() => (screen.hidden = true), 500);
+}
+
+function missing(name, why) {
+  return new LoadFailure(
+    "A file is missing",
+    `The file ${name} did not arrive: ${why}.`,
+    "Check your connection, and that the server has the file in its place, then reload the page.",
+  );
+}
+
+/** Fetches one file. arrived(count) is called as its bytes arrive, decompressed, as the list counts them. */
 async function fetchFile({ name, url }, arrived) {
-  const unreachable = (why) =>
-    new LoadFailure(
-      "A file is missing",
-      `The file ${name} did not arrive: ${why}.`,
-      "Check the connection, or that the file lies beside the page on the server, and load the page again.",
-    );
   let response;
   try {
     response = await fetch(url);
   } catch {
-    throw unreachable("the server cannot be reached");
+    throw missing(name, "the server cannot be reached");
   }
-  if (!response.ok) throw unreachable(`the server answered ${response.status} ${response.statusText}`.trim());
+  if (!response.ok) throw missing(name, `the server answered “${`${response.status} ${response.statusText}`.trim()}”`);
   const parts = [];
-  const reader = response.body.getReader();
   try {
+    const reader = response.body.getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       parts.push(part.value);
       arrived(part.value.length);
     }
   } catch {
-    throw unreachable("the connection broke");
+    throw missing(name, "the connection broke off");
   }
   return { name, bytes: new Uint8Array(await new Blob(parts).arrayBuffer()) };
 }
 
 /** Fetches all that the page's list of files names. Returns {wasm, assets: [{name, bytes}]}. */
 export async function loadFiles() {
-  const list = JSON.parse(document.getElementById("tanklab-files").textContent);
-  const all = [list.program, ...list.assets];
+  // scripts/assemble-page.mjs puts the list into the page; in the page of one file the addresses are data.
+  const { program, assets } = JSON.parse(document.getElementById("tanklab-files").textContent);
+  const all = [program, ...assets];
   const total = all.reduce((sum, file) => sum + file.bytes, 0);
+  const waiting = new Set(all);
   let loaded = 0;
-  const waiting = new Set(all.map((file) => file.name));
-  const describe = () => {
+  const show = () => {
     const [next] = waiting;
-    if (next === list.program.name) return "Loading the program";
-    return next ? `Loading the tank: ${next}` : "Starting";
+    showProgress(loaded / total, next === program ? "Loading the program" : next ? `Loading ${next.name}` : "Loaded");
   };
-  show(0, describe());
+  show();
   const files = await Promise.all(
     all.map(async (file) => {
-      const fetched = await fetchFile(file, (bytes) => {
-        loaded += bytes;
-        show(loaded / total, describe());
+      const fetched = await fetchFile(file, (count) => {
+        loaded += count;
+        show();
       });
-      waiting.delete(file.name);
-      show(loaded / total, describe());
+      waiting.delete(file);
+      show();
       return fetched;
     }),
   );

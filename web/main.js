@@ -1,57 +1,76 @@
 // Loads the program, starts it in the state that the address describes, and joins it to the page.
-import { watchAddress } from "./address.js";
-import { fail, LoadFailure } from "./failure.js";
+import { followAddress } from "./address.js";
+import { LoadFailure, showFailure } from "./failure.js";
 import { followFocus } from "./focus.js";
 import { showKeys } from "./keys_panel.js";
-import { loadFiles } from "./load.js";
-import { notify } from "./notices.js";
+import { readKeyboardLayout } from "./key_labels.js";
+import { hideProgress, loadFiles, showProgress } from "./load.js";
+import { dismiss, notify } from "./notices.js";
 import { joinPanels } from "./panels.js";
-import { startProgram } from "./program.js";
+import { Program } from "./program.js";
 import { joinShareButton } from "./share.js";
 import { showTasks } from "./tasks_panel.js";
 import { showValues } from "./values_panel.js";
 
 const canvas = document.getElementById("canvas");
-const query = new URLSearchParams(location.search);
+const bare = new URLSearchParams(location.search).get("overlays") === "0"; // for pictures that are compared
+document.body.classList.toggle("bare", bare);
 
-function hasWebGl2() {
-  return Boolean(document.createElement("canvas").getContext("webgl2"));
-}
-
-async function start() {
-  if (!hasWebGl2()) {
+function requireWebGl2() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) {
     throw new LoadFailure(
       "This browser has no WebGL 2",
       "Tank Lab draws with WebGL 2, which this browser does not have or has switched off.",
-      "Open the page in a current Firefox, Chrome, Edge or Safari, or switch hardware acceleration on in the settings.",
+      "Open the page in a current Firefox, Chrome, Edge or Safari, or switch graphics acceleration on in the browser’s settings.",
     );
   }
-  const files = await loadFiles();
-  const { program, states } = await startProgram(canvas, files, notify);
-  await joinPanels();
-  await showKeys(program, states);
-  showValues(program, states);
-  showTasks(program, states);
-  watchAddress(program, states, notify);
-  joinShareButton(program, notify);
-  followFocus(canvas, program);
-  if (query.get("overlays") === "0") for (const element of document.querySelectorAll(".overlay")) element.hidden = true;
-  return program;
+  gl.getExtension("WEBGL_lose_context")?.loseContext(); // a browser has few to give
 }
 
-// What scripts and graders use; `ready` first, the rest once it has resolved.
-const ready = start();
-window.tanklab = { ready };
-ready.then(
-  (program) => {
-    Object.assign(window.tanklab, program);
-    requestAnimationFrame(() => {
-      performance.mark("tanklab-first-frame");
-      document.body.classList.add("ready");
-      canvas.focus({ preventScroll: true });
-      setTimeout(() => (document.getElementById("loading").hidden = true), 400);
-    });
-  },
-  (error) => fail(error),
-);
-ready.catch(() => {}); // Told above; whoever waits for it is told, too.
+/** Notes what takes how long, for scripts/bench, and lets people see the picture and use it. */
+function reveal() {
+  performance.mark("tanklab-first-frame");
+  for (const element of document.querySelectorAll("[inert]")) element.inert = false;
+  document.body.classList.replace("loading", "ready");
+  hideProgress();
+  canvas.focus({ preventScroll: true });
+}
+
+async function start(program) {
+  const loading = loadFiles();
+  loading.catch(() => {}); // told below, unless there is no WebGL to need the files for
+  requireWebGl2();
+  const [{ wasm, assets }, layout] = await Promise.all([loading, readKeyboardLayout()]);
+  showProgress(1, "Starting the program");
+  await program.open(canvas, wasm, assets);
+
+  const parts = { program, layout, act: (name, value) => attempt(() => program.command(name, value)) };
+  showTasks(parts);
+  showKeys(parts);
+  showValues(parts);
+  // The panels take their room before the first frame, so that nothing jumps.
+  joinPanels(canvas, { bare, task: /(^|[#&;])(task|figure)=/.test(location.hash) });
+  followAddress(program);
+  joinShareButton(program);
+  followFocus(canvas);
+
+  program.start(location.hash.slice(1));
+  requestAnimationFrame(reveal);
+}
+
+/** Does something a person asked for; what the program answers is told, not thrown. */
+function attempt(action) {
+  try {
+    action();
+    dismiss("command");
+  } catch (error) {
+    notify(error.message, { topic: "command" });
+  }
+}
+
+const program = new Program();
+const tanklab = program.forScripts();
+tanklab.ready = start(program).then(() => tanklab);
+tanklab.ready.catch((error) => showFailure(error)); // whoever waits for it is told, too
+window.tanklab = tanklab;

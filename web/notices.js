@@ -1,22 +1,29 @@
-// Short messages at the edge of the picture.
+// Short messages at the edge of the picture, each a sentence, until they are dismissed.
 
 const box = document.getElementById("notices");
 
-/** Shows a sentence until it is dismissed. A topic replaces its last notice; null only removes that. */
-export function notify(sentence, topic = "") {
-  if (topic) box.querySelector(`[data-topic="${topic}"]`)?.remove();
-  if (sentence === null) return null;
+/** Takes away the notices about a topic. */
+export function dismiss(topic) {
+  for (const notice of [...box.children]) if (notice.dataset.topic === topic) notice.remove();
+}
+
+/** Shows a sentence. The same sentence is not shown twice.
+    topic: what dismiss() finds it by. field: an element to show below the sentence. */
+export function notify(sentence, { topic = "", field = null } = {}) {
+  for (const other of [...box.children])
+    if (other.dataset.topic === topic && other.querySelector("p").textContent === sentence) other.remove();
   const notice = document.createElement("div");
-  notice.className = "notice panel";
+  notice.className = "panel notice";
   notice.dataset.topic = topic;
-  const text = document.createElement("span");
+  const text = document.createElement("p");
   text.textContent = sentence;
   const close = document.createElement("button");
   close.type = "button";
+  close.className = "quiet";
   close.textContent = "✕";
-  close.setAttribute("aria-label", "Dismiss");
+  close.setAttribute("aria-label", "Dismiss this message");
   close.onclick = () => notice.remove();
   notice.append(text, close);
+  if (field) notice.append(field);
   box.append(notice);
-  return notice;
 }

@@ -1,88 +1,140 @@
-// The program as an object of the page: what window.tanklab offers.
+// The program as an object of the page, and what window.tanklab offers of it.
 import createTanklab from "./tanklab.js";
-import { fail, LoadFailure } from "./failure.js";
+import { LoadFailure, showFailure } from "./failure.js";
+import { dismiss, notify } from "./notices.js";
 
-/** Keeps the newest state and tells those who listen. */
-class States {
+const LINES_KEPT = 40; // of what the program printed, for a failure's details
+
+/** Tells whether an error came out of the WebAssembly module: a trap, an abort, a stack that ran over. */
+const isFromModule = (error) => error instanceof WebAssembly.RuntimeError || /wasm/i.test(error?.stack ?? "");
+
+/** Throws a sentence of the program as an error; the empty one is none. */
+function refuse(sentence) {
+  if (sentence) throw new Error(sentence);
+}
+
+export class Program {
+  #module = null;
+  #stopped = false;
+  #printed = [];
   #listeners = [];
+
+  /** The newest state that the program told, or null. It stays readable when the program has stopped. */
   newest = null;
+
+  /** Compiles the program and gives it its files: [{name, bytes}]. */
+  async open(canvas, wasm, files) {
+    addEventListener("error", (event) => isFromModule(event.error) && this.#stop(event.error));
+    try {
+      this.#module = await createTanklab({
+        canvas,
+        wasmBinary: wasm,
+        print: (line) => this.#keep(line, "log"),
+        printErr: (line) => this.#keep(line, "warn"),
+        onAbort: (why) => this.#stop(new Error(String(why))),
+        onStateChanged: (json) => this.#tell(JSON.parse(json)),
+        onMessage: (sentence) => notify(sentence, { topic: "link" }),
+      });
+    } catch (error) {
+      throw new LoadFailure(
+        "The program could not be started",
+        `The browser refused tanklab.wasm: ${String(error?.message ?? error).replace(/\.?$/, ".")}`,
+        "Reload the page. If that does not help, use a current Firefox, Chrome, Edge or Safari.",
+      );
+    }
+    for (const file of files) this.#add(file);
+    canvas.addEventListener("webglcontextlost", () =>
+      notify(
+        "The browser took the graphics away. The picture comes back by itself; if it does not, reload the page, whose address keeps what you see.",
+        { topic: "graphics" },
+      ),
+    );
+    canvas.addEventListener("webglcontextrestored", () => dismiss("graphics"));
+  }
+
+  /** Shows the state of a fragment. Throws a LoadFailure when the files or the browser do not allow it. */
+  start(fragment) {
+    const sentence = this.#call("start", fragment);
+    if (sentence) {
+      throw new LoadFailure(
+        "The tank cannot be shown",
+        sentence,
+        "If you changed the tank’s files, correct the one that is named and reload the page.",
+      );
+    }
+  }
+
+  /** Calls listener(state) now, if there is a state, and after every change. */
   listen(listener) {
     this.#listeners.push(listener);
     if (this.newest) listener(this.newest);
   }
-  tell(state) {
+
+  state = () => JSON.parse(this.#call("state"));
+  commands = () => JSON.parse(this.#call("commands"));
+  command = (name, value = 1) => refuse(this.#call("command", String(name), Number(value)));
+  link = () => this.#call("link");
+  capture = () => JSON.parse(this.#call("capture"));
+  tasks = () => JSON.parse(this.#call("tasks"));
+  draw = () => void this.#call("draw");
+
+  /** Opens a fragment and returns what was wrong with it, a sentence each. */
+  openLink = (fragment) => JSON.parse(this.#call("open_link", String(fragment)));
+
+  /** Runs the check of a task. Returns the task with `passed` and `evidence`. */
+  check = async (id) => {
+    const task = JSON.parse(this.#call("check", String(id)));
+    if (!task) throw new Error(`There is no task '${id}'.`);
+    return task;
+  };
+
+  /** Returns what stands in window.tanklab. Everything throws an Error with a sentence where it cannot be done. */
+  forScripts() {
+    const { state, commands, command, link, openLink, capture, tasks, check, draw } = this;
+    return { state, commands, command, link, openLink, capture, tasks, check, draw };
+  }
+
+  #call(name, ...values) {
+    if (this.#stopped) throw new Error("The program has stopped; reload the page.");
+    if (!this.#module) throw new Error("The program is still being loaded; wait for tanklab.ready.");
+    const types = values.map((value) => (typeof value === "number" ? "number" : "string"));
+    try {
+      return this.#module.ccall(`tanklab_${name}`, name === "draw" ? null : "string", types, values);
+    } catch (error) {
+      if (isFromModule(error)) this.#stop(error);
+      throw error;
+    }
+  }
+
+  #add({ name, bytes }) {
+    const module = this.#module;
+    const address = module._malloc(Math.max(1, bytes.length));
+    if (!address) {
+      throw new LoadFailure(
+        "The tank cannot be shown",
+        `The browser has no memory left for ${name}.`,
+        "Close other tabs and reload the page.",
+      );
+    }
+    module.HEAPU8.set(bytes, address);
+    module.ccall("tanklab_add_file", null, ["string", "number", "number"], [name, address, bytes.length]);
+    module._free(address);
+  }
+
+  #keep(line, level) {
+    console[level](line);
+    this.#printed.push(line);
+    if (this.#printed.length > LINES_KEPT) this.#printed.shift();
+  }
+
+  #tell(state) {
     this.newest = state;
     for (const listener of this.#listeners) listener(state);
   }
-}
 
-/** Gives the bytes of a file to the program. */
-function addFile(module, { name, bytes }) {
-  const address = module._malloc(bytes.length);
-  module.HEAPU8.set(bytes, address);
-  module.ccall("tanklab_add_file", null, ["string", "number", "number"], [name, address, bytes.length]);
-  module._free(address);
-}
-
-/** Makes the object with the functions of window.tanklab. Bad input throws an Error with the program's sentence. */
-function makeProgram(module) {
-  const call = (name, ...args) =>
-    module.ccall(`tanklab_${name}`, "string", args.map((a) => (typeof a === "number" ? "number" : "string")), args);
-  const refuse = (sentence) => {
-    if (sentence) throw new Error(sentence);
-  };
-  return {
-    state: () => JSON.parse(call("state")),
-    commands: () => JSON.parse(call("commands")),
-    command: (name, value = 1) => refuse(call("command", String(name), Number(value))),
-    link: () => call("link"),
-    openLink: (fragment) => JSON.parse(call("open_link", String(fragment))),
-    capture: () => JSON.parse(call("capture")),
-    tasks: () => JSON.parse(call("tasks")),
-    check: async (id) => {
-      const task = JSON.parse(call("check", String(id)));
-      if (!task) throw new Error(`There is no task ${id}.`);
-      return task;
-    },
-    /** Draws at once, so that the canvas can be read in the same turn. */
-    draw: () => call("draw"),
-  };
-}
-
-/** Starts the program on the canvas, in the state that the address describes. */
-export async function startProgram(canvas, { wasm, assets }, notify) {
-  const states = new States();
-  let stopped = false;
-  const stop = (error, detail) => {
-    if (!stopped) fail(error, detail);
-    stopped = true;
-  };
-  const said = [];
-  const module = await createTanklab({
-    canvas,
-    wasmBinary: wasm,
-    print: (line) => console.log(line),
-    printErr: (line) => {
-      said.push(line);
-      console.warn(line);
-    },
-    onAbort: (why) => stop(new Error(String(why)), said.slice(-20).join("\n")),
-    onStateChanged: (json) => states.tell(JSON.parse(json)),
-    onMessage: (sentence) => notify(sentence),
-  });
-  window.addEventListener("error", (event) => {
-    if (event.error instanceof WebAssembly.RuntimeError) stop(event.error, said.slice(-20).join("\n"));
-  });
-  for (const file of assets) addFile(module, file);
-  const problem = module.ccall("tanklab_start", "string", ["string"], [location.hash.slice(1)]);
-  if (problem) {
-    throw new LoadFailure(
-      "The tank cannot be shown",
-      problem,
-      "If you changed the files of the tank, correct the one that is named; otherwise load the page again.",
-    );
+  #stop(error) {
+    if (this.#stopped) return;
+    this.#stopped = true;
+    showFailure(error, this.#printed);
   }
-  canvas.addEventListener("webglcontextlost", () => notify("The graphics were taken away; the picture comes back by itself.", "lost"));
-  canvas.addEventListener("webglcontextrestored", () => notify(null, "lost"));
-  return { program: makeProgram(module), states };
 }

@@ -1,31 +1,34 @@
 // The button that copies the address of what is shown.
+import { addressOf } from "./address.js";
+import { copyText } from "./clipboard.js";
+import { element } from "./elements.js";
+import { dismiss, notify } from "./notices.js";
 
-/** Returns the whole address of the program's state. */
-function addressOf(program) {
-  const link = program.link();
-  return location.href.replace(/#.*$/, "") + (link ? `#${link}` : "");
-}
+const COPIED_MS = 1800;
 
-/** Joins the Share button. Where the clipboard is refused, the address is shown, selected, to be copied. */
-export function joinShareButton(program, notify) {
+/** Joins the Share button. Where the page may not copy, the address is shown and selected instead. */
+export function joinShareButton(program) {
   const button = document.getElementById("share");
+  const label = button.textContent;
   let timer = 0;
   button.onclick = async () => {
+    dismiss("share");
     const address = addressOf(program);
-    try {
-      await navigator.clipboard.writeText(address);
-      button.textContent = "Copied";
-      clearTimeout(timer);
-      timer = setTimeout(() => (button.textContent = "Share"), 1600);
-      notify(null, "share");
-    } catch {
-      const notice = notify("The browser does not let the page copy. Copy this address:", "share");
-      const field = document.createElement("input");
-      field.readOnly = true;
-      field.value = address;
-      field.setAttribute("aria-label", "Address of what is shown");
-      notice.querySelector("span").append(field);
-      field.select();
+    const field = element("input");
+    field.readOnly = true;
+    field.value = address;
+    field.setAttribute("aria-label", "The address of what is shown");
+    if (!(await copyText(address))) {
+      notify("The browser does not let this page copy. Copy the address from here:", { topic: "share", field });
+      if (!(await copyText(address, field))) return;
+      dismiss("share");
     }
+    button.textContent = "Copied";
+    button.classList.add("done");
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      button.textContent = label;
+      button.classList.remove("done");
+    }, COPIED_MS);
   };
 }

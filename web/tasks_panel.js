@@ -1,55 +1,129 @@
-// The tasks of the lab: what to see, which keys to press, where it stands in the source, and whether it is right.
-import { keycaps, keyLabels } from "./keycaps.js";
+// The lab's tasks: what to see, which keys to press, where it stands in the source, and whether it is right.
+import { commandButton } from "./command_button.js";
+import { button, element } from "./elements.js";
+import { keycaps, keyLabels } from "./key_labels.js";
+import { notify } from "./notices.js";
 
-function element(name, className, text) {
-  const made = document.createElement(name);
-  if (className) made.className = className;
-  if (text !== undefined) made.textContent = text;
-  return made;
-}
+const TITLE = document.title;
 
-/** Shows what a check found. */
-function showVerdict(entry, task) {
-  const verdict = entry.querySelector(".verdict");
-  verdict.className = `verdict ${task.passed === null ? "" : task.passed ? "passed" : "failed"}`;
-  verdict.textContent = task.passed === null ? "" : task.passed ? "✓ Right" : "✗ Not right";
-  entry.querySelector("ul").replaceChildren(...(task.evidence ?? []).map((sentence) => element("li", "", sentence)));
-}
+/** Returns a turn of the browser, in which it can show what has changed. */
+const painted = () => new Promise((resolve) => setTimeout(resolve, 30));
 
-function makeEntry(task, commands, labels, program) {
-  const entry = element("article", "task");
-  entry.dataset.id = task.id;
-  const title = element("h3");
-  const link = element("a", "", `${task.id}  ${task.title}`);
-  link.href = `#${task.link}`;
-  title.append(link);
+class Entry {
+  constructor(task, commands, { program, layout, act }) {
+    this.task = task;
+    this.program = program;
+    this.mark = element("span", "mark"); // beside the title
+    this.verdict = element("span", "verdict"); // in words
+    this.verdict.setAttribute("role", "status");
+    this.evidence = element("ul", "evidence");
+    this.checking = button("", "Check", () => this.check());
+    this.checking.setAttribute("aria-label", `Check ${task.id}, ${task.title}`);
 
-  const keys = element("div", "commands");
-  for (const name of task.commands) {
-    const command = commands.get(name);
-    if (!command) continue;
-    const one = element("span", "", `${command.title} `);
-    one.append(keycaps(labels(command).slice(0, 1)));
-    keys.append(one);
+    const show = element("a", "button strong", "Show");
+    show.href = `#${task.link}`;
+    show.setAttribute("aria-label", `Show ${task.id}, ${task.title}`);
+    const keys = task.commands
+      .map((name) => commands.get(name))
+      .filter(Boolean)
+      .map((command) => commandButton(command, "chip", [keycaps(keyLabels(command, layout).slice(0, 1)), command.title], act));
+    this.box = element(
+      "details",
+      "task",
+      element("summary", "", element("span", "id", task.id), element("h3", "", task.title), this.mark),
+      element("p", "", task.text),
+      element("div", "chips", ...keys),
+      element("p", "source", "In ", element("code", "", task.source)),
+      element("div", "buttons", show, this.checking, this.verdict),
+      this.evidence,
+    );
+    this.box.dataset.id = task.id;
+    this.show(task);
   }
 
-  const buttons = element("div", "buttons");
-  const check = element("button", "", "Check");
-  check.type = "button";
-  check.onclick = async () => showVerdict(entry, await program.check(task.id));
-  buttons.append(check, element("span", "verdict"));
-  entry.append(title, element("p", "", task.text), keys, element("div", "source", task.source), buttons, element("ul"));
-  showVerdict(entry, task);
-  return entry;
+  /** Shows what a check found, or that there was none. */
+  show({ passed, evidence }) {
+    const checked = passed === true || passed === false;
+    const result = !checked ? "" : passed ? "passed" : "failed";
+    this.mark.textContent = !checked ? "" : passed ? "✓" : "✗";
+    this.mark.title = result;
+    this.mark.className = `mark ${result}`;
+    this.verdict.textContent = checked ? `${this.mark.textContent} ${result}` : "";
+    this.verdict.className = `verdict ${result}`;
+    this.evidence.replaceChildren(...(evidence ?? []).map((sentence) => element("li", "", sentence)));
+  }
+
+  async check() {
+    this.verdict.className = "verdict";
+    this.verdict.textContent = "checking …";
+    this.checking.disabled = true;
+    await painted();
+    try {
+      const result = await this.program.check(this.task.id);
+      this.show(result);
+      if (result.passed === null) this.verdict.textContent = "no check";
+      return result.passed;
+    } catch (error) {
+      this.show({ passed: null });
+      notify(error.message, { topic: "command" });
+      return null;
+    } finally {
+      this.checking.disabled = false;
+    }
+  }
 }
 
-/** Fills the panel of tasks and marks the one that the state is about. */
-export async function showTasks(program, states) {
+/** Makes the line above the tasks that checks them all. */
+function checkAll(entries) {
+  const summary = element("span", "verdict");
+  summary.setAttribute("role", "status");
+  const all = button("", "Check all", async () => {
+    all.disabled = true;
+    let passed = 0;
+    for (const [i, entry] of entries.entries()) {
+      summary.textContent = `${i} of ${entries.length} …`;
+      if (await entry.check()) ++passed;
+    }
+    summary.className = `verdict ${passed === entries.length ? "passed" : "failed"}`;
+    summary.textContent = `${passed} of ${entries.length} passed`;
+    all.disabled = false;
+  });
+  return element("div", "check-all", all, summary);
+}
+
+/** Opens the entry that the state is about, and names it in the page's title. */
+function markCurrent(entries, id) {
+  for (const entry of entries) {
+    const current = entry.task.id === id;
+    if (current) {
+      entry.box.open = true;
+      entry.box.setAttribute("aria-current", "true");
+      entry.box.scrollIntoView({ block: "nearest" });
+    } else if (entry.box.hasAttribute("aria-current")) {
+      entry.box.open = false;
+      entry.box.removeAttribute("aria-current");
+    }
+  }
+  const task = entries.find((entry) => entry.task.id === id)?.task;
+  document.title = task ? `${task.id} ${task.title} · ${TITLE}` : TITLE;
+}
+
+/** Fills the panel with what tasks() returns: the tasks, and the handout's figures if they are there. */
+export function showTasks(parts) {
+  const { program } = parts;
   const panel = document.getElementById("tasks");
-  const labels = await keyLabels();
   const commands = new Map(program.commands().map((command) => [command.name, command]));
-  for (const task of program.tasks()) panel.append(makeEntry(task, commands, labels, program));
-  states.listen((state) => {
-    for (const entry of panel.querySelectorAll(".task")) entry.classList.toggle("current", entry.dataset.id === state.task);
+  const entries = program.tasks().map((task) => new Entry(task, commands, parts));
+  const figures = entries.filter((entry) => entry.task.kind === "figure");
+  const tasks = entries.filter((entry) => entry.task.kind !== "figure");
+  panel.append(checkAll(tasks), ...tasks.map((entry) => entry.box));
+  if (figures.length > 0) panel.append(element("h2", "", "Figures of the handout"), ...figures.map((entry) => entry.box));
+
+  let shown;
+  program.listen((state) => {
+    const id = state.task ?? state.figure;
+    if (id === shown) return;
+    shown = id;
+    markCurrent(entries, id);
   });
 }

@@ -1,6 +1,9 @@
 #include "app/commands.h"
 
+#include "app/firing.h"
 #include "app/links.h"
+#include "app/pointer.h"
+#include "app/tasks.h"
 
 #include <numbers>
 #include <vector>
@@ -52,7 +55,7 @@ constexpr Command add(std::string_view name, std::string_view title, Group group
 }
 
 constexpr Command press(std::string_view name, std::string_view title, Group group, Keys keys,
-                        void (*action)(State&))
+                        std::string (*action)(State&))
 {
     return {.name = name,
             .title = title,
@@ -62,36 +65,88 @@ constexpr Command press(std::string_view name, std::string_view title, Group gro
             .press = action};
 }
 
-/// Gives the fields of the camera, or all others, the values that the state's task began with.
-void reset_fields(State& state, bool of_camera)
+/// Gives the fields of some groups the values that the state's task began with.
+template <class Chosen> void reset_fields(State& state, Chosen chosen)
 {
     const State start = starting_state(state.task);
     for (const Field& field : fields()) {
-        if ((field.group == Group::camera) == of_camera) {
+        if (chosen(field.group)) {
             field.set(state, field.get(start));
         }
     }
 }
 
-void reset_view(State& state)
+std::string reset_view(State& state)
 {
-    reset_fields(state, true);
+    reset_fields(state, [](Group group) { return group == Group::camera; });
+    return {};
 }
-void reset_pose(State& state)
+
+std::string reset_pose(State& state)
 {
-    reset_fields(state, false);
+    reset_fields(state, [](Group group) { return group <= Group::tank; });
+    return {};
 }
-void toggle_ground(State& state)
+
+std::string reset_projectile(State& state)
 {
-    state.ground = !state.ground;
+    reset_fields(state, [](Group group) { return group == Group::projectile; });
+    state.shot = {};
+    state.event = {};
+    return {};
 }
-void release_all(State& state)
+
+std::string release_all(State& state)
 {
     state.held.reset();
+    return {};
+}
+
+/// Goes to the next choice of a field, from the last to the first.
+template <FieldId id> std::string next(State& state)
+{
+    const Field& chosen = field(id);
+    const auto count = static_cast<std::int64_t>(chosen.choices.size());
+    set_grid_value(chosen, state, (grid_value(chosen, state) + 1) % count);
+    return {};
+}
+
+/// Makes the distance the threshold.
+std::string note_threshold(State& state)
+{
+    const Field& threshold_field = field(threshold);
+    set_grid_value(threshold_field, state, to_grid(threshold_field, state.camera.distance));
+    return {};
+}
+
+std::string print_report(State& state)
+{
+    ++state.revision.prints;
+    return {};
+}
+
+/// Opens the next of the tasks whose id begins with `section`, or of the figures, from the last to the first.
+template <TaskKind kind, char section> std::string open_next(State& state)
+{
+    const std::span<const Task> all = tasks();
+    const std::size_t current = state.task.value_or(all.size() - 1);
+    for (std::size_t i = 1; i <= all.size(); ++i) {
+        const std::size_t row = (current + i) % all.size();
+        if (all[row].kind == kind && (kind == TaskKind::figure || all[row].id[0] == section)) {
+            open_task(state, row);
+            return {};
+        }
+    }
+    return "The lab has no such task.";
+}
+
+constexpr Move of_handle(FieldId field, double rate)
+{
+    return {.field = field, .rate = rate, .of_handle = true};
 }
 
 // Real vehicles: turrets turn by 40 degrees a second and more, guns rise by 10 or so; the wheels' rate is a
-// walking pace of 1.4 m/s. W, S are left for driving, I J K L U O for the projectile, the digits for tasks.
+// walking pace of 1.4 m/s. W, S are left for driving. The digits 1 to 4 open tasks and figures.
 constexpr Command OWN_COMMANDS[] = {
     hold("turret_left", "Turn the turret left", Group::turret, {Key::q}, {turret, degrees(40.0)}),
     hold("turret_right", "Turn the turret right", Group::turret, {Key::e}, {turret, degrees(-40.0)}),
@@ -117,7 +172,54 @@ constexpr Command OWN_COMMANDS[] = {
     hold("zoom_out", "Go further away", Group::camera, {Key::page_down, Key::minus, Key::keypad_minus},
          {.field = distance, .rate = 1.2, .relative = true}),
     press("reset_view", "Bring the camera back to its first place", Group::camera, {Key::home}, reset_view),
-    press("toggle_ground", "Show or hide the ground", Group::camera, {Key::b}, toggle_ground),
+    press("toggle_ground", "Show or hide the ground", Group::camera, {Key::b}, next<ground>),
+    hold("projectile_right", "Move the projectile along +X", Group::projectile, {Key::l},
+         of_handle(point_x, 2.0)),
+    hold("projectile_left", "Move the projectile along -X", Group::projectile, {Key::j},
+         of_handle(point_x, -2.0)),
+    hold("projectile_up", "Raise the projectile", Group::projectile, {Key::o}, of_handle(point_y, 2.0)),
+    hold("projectile_down", "Lower the projectile", Group::projectile, {Key::u}, of_handle(point_y, -2.0)),
+    hold("projectile_away", "Move the projectile along -Z", Group::projectile, {Key::i},
+         of_handle(point_z, -2.0)),
+    hold("projectile_nearer", "Move the projectile along +Z", Group::projectile, {Key::k},
+         of_handle(point_z, 2.0)),
+    press("next_handle", "Move the point, or the line's end A or B", Group::projectile, {Key::m},
+          next<handle>),
+    press("next_probe", "Test nothing, the point, or a segment, ray or line from A to B", Group::projectile,
+          {Key::y}, next<probe>),
+    press("fire", "Fire the projectile along its line", Group::projectile, {Key::space}, fire),
+    press("fire_at_aim", "Fire the projectile from the eye through the aim", Group::projectile, {Key::enter},
+          fire_at_aim),
+    press("move_to_aim", "Move the projectile to where the aim points at", Group::projectile, {},
+          move_to_aim),
+    press("reset_projectile", "Bring the projectile and its line back to their first place",
+          Group::projectile, {Key::delete_forward}, reset_projectile),
+    press("next_spheres", "Show no spheres, penetrated ones, the whole tank's, the parts', or all",
+          Group::spheres, {Key::h}, next<spheres>),
+    press("next_fit", "Compute the spheres the lab's way or as the smallest", Group::spheres, {Key::digit_9},
+          next<fit>),
+    press("toggle_triangles", "Test what is inside a part's sphere against its triangles", Group::spheres,
+          {Key::digit_8}, next<triangles>),
+    press("print_report", "Print what is penetrated", Group::spheres, {Key::p}, print_report),
+    press("next_particles", "Show the next particle system", Group::particles, {Key::digit_5},
+          next<particles>),
+    press("next_detail", "Draw the model by distance, the high, the low, or both", Group::detail, {Key::x},
+          next<detail>),
+    press("note_threshold", "Make this distance the threshold", Group::detail, {Key::n}, note_threshold),
+    press("next_parts", "Draw all parts or only some", Group::picture, {Key::digit_6}, next<parts>),
+    press("next_axis", "Draw the axis of the next part", Group::picture, {Key::digit_7}, next<axis>),
+    press("toggle_wireframe", "Draw edges or faces", Group::picture, {Key::z}, next<wireframe>),
+    press("next_task_1", "Open the next task of section 1", Group::program, {Key::digit_1},
+          open_next<TaskKind::task, '1'>),
+    press("next_task_2", "Open the next task of section 2", Group::program, {Key::digit_2},
+          open_next<TaskKind::task, '2'>),
+    press("next_task_3", "Open the next task of section 3", Group::program, {Key::digit_3},
+          open_next<TaskKind::task, '3'>),
+    press("next_figure", "Open the next figure of the handout", Group::program, {Key::digit_4},
+          open_next<TaskKind::figure, ' '>),
+    add("projectile_x_by", "Move the projectile along X", Group::projectile, of_handle(point_x, 1.0)),
+    add("projectile_y_by", "Raise the projectile", Group::projectile, of_handle(point_y, 1.0)),
+    add("projectile_z_by", "Move the projectile along Z", Group::projectile, of_handle(point_z, 1.0)),
     add("orbit_by", "Go round by an angle", Group::camera, {orbit, degrees(1.0)}),
     add("tilt_by", "Go up by an angle", Group::camera, {tilt, degrees(1.0)}),
     add("zoom_by", "Go nearer by steps", Group::camera, {.field = distance, .rate = -0.1, .relative = true}),

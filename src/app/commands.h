@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace app {
@@ -37,6 +38,8 @@ struct Move
     FieldId field;
     double rate = 0.0;
     bool relative = false;
+    bool of_handle =
+        false; ///< the field is the point's coordinate; that of what Projectile::handle says moves
 };
 
 /// Describes one thing that people can do. Unused keys are Key::none and come last.
@@ -49,7 +52,7 @@ struct Command
     std::array<Key, 3> keys{};
     std::array<Move, 2> moves{};
     std::size_t move_count = 0;
-    void (*press)(State&) = nullptr; ///< for press
+    std::string (*press)(State&) = nullptr; ///< for press: returns "", or a sentence when it cannot be done
 
     std::span<const Move> used_moves() const { return {moves.data(), move_count}; }
 };

@@ -1,8 +1,13 @@
 #include "app/fields.h"
 
+#include "particles/presets.h"
+#include "particles/settings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <vector>
 
 namespace app {
 
@@ -13,9 +18,34 @@ using tank::Joint;
 
 constexpr Unit DEGREES{.name = "degrees", .decimals = 2, .numerator = pi, .denominator = 18000.0};
 constexpr Unit METRES{.name = "metres", .decimals = 3, .numerator = 1.0, .denominator = 1000.0};
+constexpr Unit METRES_PER_SECOND{
+    .name = "metres per second", .decimals = 1, .numerator = 1.0, .denominator = 10.0};
+constexpr Unit WINDOW_HEIGHTS{.name = "", .decimals = 4, .numerator = 1.0, .denominator = 10000.0};
 constexpr Unit CHOICE{.name = "", .decimals = 0, .numerator = 1.0, .denominator = 1.0};
 
 constexpr std::array<std::string_view, 2> OFF_ON = {"off", "on"};
+constexpr std::array<std::string_view, 5> PROBES = {"none", "point", "segment", "ray", "line"};
+constexpr std::array<std::string_view, 3> HANDLES = {"point", "line_a", "line_b"};
+constexpr std::array<std::string_view, 5> SPHERES = {"off", "penetrated", "whole", "parts", "all"};
+constexpr std::array<std::string_view, 2> FITS = {"average", "smallest"};
+constexpr std::array<std::string_view, 4> DETAILS = {"auto", "high", "low", "both"};
+constexpr std::array<std::string_view, 6> PARTS = {"all",      "body",          "turret",
+                                                   "main_gun", "secondary_gun", "wheels"};
+constexpr std::array<std::string_view, 6> AXES = {"off",      "body",          "turret",
+                                                  "main_gun", "secondary_gun", "wheels"};
+
+/// Returns "none" and the names of the presets.
+std::span<const std::string_view> particle_choices()
+{
+    static const std::vector<std::string_view> CHOICES = [] {
+        std::vector<std::string_view> choices = {"none"};
+        for (const particles::Preset& preset : particles::presets()) {
+            choices.push_back(preset.id);
+        }
+        return choices;
+    }();
+    return CHOICES;
+}
 
 constexpr double from_degrees(double degrees)
 {
@@ -34,26 +64,45 @@ template <Joint joint> constexpr Place in_joint()
             [](State& state, double value) { state.joints[joint] = value; }};
 }
 
-template <auto member> constexpr Place in_state()
+/// Returns the member that a path of pointers to members leads to.
+template <auto first, auto... rest> constexpr auto& at(auto& object)
 {
-    return {[](const State& state) { return static_cast<double>(state.*member); },
-            [](State& state, double value) { state.*member = value; }};
+    if constexpr (sizeof...(rest) == 0) {
+        return object.*first;
+    } else {
+        return at<rest...>(object.*first);
+    }
+}
+
+/// Values other than double, such as choices, are kept as what they are and given as a number.
+template <auto... path> constexpr Place in_state()
+{
+    return {[](const State& state) { return static_cast<double>(at<path...>(state)); },
+            [](State& state, double value) {
+                auto& place = at<path...>(state);
+                place = static_cast<std::remove_reference_t<decltype(place)>>(value);
+            }};
 }
 
 template <auto member> constexpr Place in_camera()
 {
-    return {[](const State& state) { return state.camera.*member; },
-            [](State& state, double value) { state.camera.*member = value; }};
+    return in_state<&State::camera, member>();
 }
 
 template <auto member> constexpr Place in_camera_look()
 {
-    return {[](const State& state) { return state.camera.look.*member; },
-            [](State& state, double value) { state.camera.look.*member = value; }};
+    return in_state<&State::camera, &Camera::look, member>();
 }
 
-constexpr Place IN_GROUND = {[](const State& state) { return state.ground ? 1.0 : 0.0; },
-                             [](State& state, double value) { state.ground = value != 0.0; }};
+template <auto... path> constexpr Place in_projectile()
+{
+    return in_state<&State::projectile, path...>();
+}
+
+template <auto member> constexpr Place in_show()
+{
+    return in_state<&State::show, member>();
+}
 
 template <Joint joint>
 Field joint_field(FieldId id, std::string_view name, std::string_view title, Group group)
@@ -108,6 +157,26 @@ Field choice_field(FieldId id, std::string_view name, std::string_view title, Gr
     return field;
 }
 
+/// The eye goes no further away from what it looks at. Metres.
+constexpr double FURTHEST = 400.0;
+
+/// The near plane is never further away than this, so a threshold can be everywhere beyond it. Metres.
+constexpr double NEAREST_THRESHOLD = 1.0;
+
+/// The distance d that is shipped, in millimetres: beyond it the two models cannot be told apart.
+constexpr std::int64_t DEFAULT_THRESHOLD = 60'000;
+
+/// Where the projectile and its line can be: round everything that the tank can drive to. Metres.
+constexpr Range reached(std::int64_t initial)
+{
+    return {.minimum = -300.0, .maximum = 300.0, .initial = initial};
+}
+
+constexpr Range raised(std::int64_t initial)
+{
+    return {.minimum = 0.0, .maximum = 100.0, .initial = initial};
+}
+
 // The camera's defaults show the whole tank, gun included, three quarters from the front in a 16:10 window.
 // A tilt of at least 0 and a look_y above 0 keep the eye above the ground at every distance.
 std::array<Field, FIELD_COUNT> make_fields()
@@ -132,14 +201,64 @@ std::array<Field, FIELD_COUNT> make_fields()
                     {.minimum = 0.0, .maximum = from_degrees(89.0), .initial = 1500},
                     in_camera<&Camera::tilt>()),
         plain_field(distance, "distance", "Distance", Group::camera, METRES,
-                    {.minimum = 4.0, .maximum = 400.0, .initial = 10500}, in_camera<&Camera::distance>()),
+                    {.minimum = 4.0, .maximum = FURTHEST, .initial = 10500}, in_camera<&Camera::distance>()),
         plain_field(look_x, "look_x", "Look at x", Group::camera, METRES, beside,
                     in_camera_look<&glm::dvec3::x>()),
         plain_field(look_y, "look_y", "Look at y", Group::camera, METRES,
                     {.minimum = 0.1, .maximum = 10.0, .initial = 1450}, in_camera_look<&glm::dvec3::y>()),
         plain_field(look_z, "look_z", "Look at z", Group::camera, METRES,
                     {.minimum = -20.0, .maximum = 20.0, .initial = 1400}, in_camera_look<&glm::dvec3::z>()),
-        choice_field(ground, "ground", "Ground", Group::camera, OFF_ON, 1, IN_GROUND),
+        choice_field(ground, "ground", "Ground", Group::camera, OFF_ON, 1, in_show<&Show::ground>()),
+        choice_field(probe, "probe", "Tested", Group::projectile, PROBES, 0,
+                     in_projectile<&Projectile::probe>()),
+        plain_field(point_x, "point_x", "Projectile x", Group::projectile, METRES, reached(4000),
+                    in_projectile<&Projectile::point, &glm::dvec3::x>()),
+        plain_field(point_y, "point_y", "Projectile y", Group::projectile, METRES, raised(2500),
+                    in_projectile<&Projectile::point, &glm::dvec3::y>()),
+        plain_field(point_z, "point_z", "Projectile z", Group::projectile, METRES, reached(4000),
+                    in_projectile<&Projectile::point, &glm::dvec3::z>()),
+        plain_field(point_radius, "point_radius", "Projectile radius", Group::projectile, METRES,
+                    {.minimum = 0.0, .maximum = 5.0, .initial = 0}, in_projectile<&Projectile::radius>()),
+        plain_field(line_ax, "line_ax", "Line from x", Group::projectile, METRES, reached(7000),
+                    in_projectile<&Projectile::a, &glm::dvec3::x>()),
+        plain_field(line_ay, "line_ay", "Line from y", Group::projectile, METRES, raised(3500),
+                    in_projectile<&Projectile::a, &glm::dvec3::y>()),
+        plain_field(line_az, "line_az", "Line from z", Group::projectile, METRES, reached(5000),
+                    in_projectile<&Projectile::a, &glm::dvec3::z>()),
+        plain_field(line_bx, "line_bx", "Line to x", Group::projectile, METRES, reached(-4000),
+                    in_projectile<&Projectile::b, &glm::dvec3::x>()),
+        plain_field(line_by, "line_by", "Line to y", Group::projectile, METRES, raised(1200),
+                    in_projectile<&Projectile::b, &glm::dvec3::y>()),
+        plain_field(line_bz, "line_bz", "Line to z", Group::projectile, METRES, reached(-3000),
+                    in_projectile<&Projectile::b, &glm::dvec3::z>()),
+        choice_field(handle, "handle", "Moved by keys", Group::projectile, HANDLES, 0,
+                     in_projectile<&Projectile::handle>()),
+        plain_field(speed, "speed", "Speed", Group::projectile, METRES_PER_SECOND,
+                    {.minimum = 1.0, .maximum = 5000.0, .initial = 150}, in_projectile<&Projectile::speed>()),
+        plain_field(aim_x, "aim_x", "Aim to the right", Group::projectile, WINDOW_HEIGHTS,
+                    {.minimum = -4.0, .maximum = 4.0, .initial = 0},
+                    in_projectile<&Projectile::aim, &glm::dvec2::x>()),
+        plain_field(aim_y, "aim_y", "Aim up", Group::projectile, WINDOW_HEIGHTS,
+                    {.minimum = -0.5, .maximum = 0.5, .initial = 0},
+                    in_projectile<&Projectile::aim, &glm::dvec2::y>()),
+        choice_field(spheres, "spheres", "Spheres shown", Group::spheres, SPHERES, 1,
+                     in_show<&Show::spheres>()),
+        choice_field(fit, "fit", "Spheres computed", Group::spheres, FITS, 0, in_show<&Show::fit>()),
+        choice_field(triangles, "triangles", "Triangles tested", Group::spheres, OFF_ON, 0,
+                     in_show<&Show::triangles>()),
+        choice_field(particles, "particles", "Particles", Group::particles, particle_choices(), 0,
+                     in_state<&State::particles, &ParticleShow::preset>()),
+        plain_field(amount, "amount", "Most particles", Group::particles, CHOICE,
+                    {.minimum = 0.0, .maximum = particles::most_places, .initial = 500},
+                    in_state<&State::particles, &ParticleShow::amount>()),
+        choice_field(detail, "detail", "Model", Group::detail, DETAILS, 0, in_show<&Show::detail>()),
+        plain_field(threshold, "threshold", "Threshold distance", Group::detail, METRES,
+                    {.minimum = NEAREST_THRESHOLD, .maximum = FURTHEST, .initial = DEFAULT_THRESHOLD},
+                    in_show<&Show::threshold>()),
+        choice_field(parts, "parts", "Parts drawn", Group::picture, PARTS, 0, in_show<&Show::parts>()),
+        choice_field(axis, "axis", "Axis drawn", Group::picture, AXES, 0, in_show<&Show::axis>()),
+        choice_field(wireframe, "wireframe", "Wireframe", Group::picture, OFF_ON, 0,
+                     in_show<&Show::wireframe>()),
     }};
 }
 
@@ -173,6 +292,19 @@ const Field* find_field(std::string_view name)
         }
     }
     return nullptr;
+}
+
+bool matters_to_replay(const Field& field)
+{
+    switch (field.group) {
+    case Group::picture:
+    case Group::camera:
+    case Group::detail:
+    case Group::program:
+        return false;
+    default:
+        return field.id != FieldId::spheres && field.id != FieldId::triangles;
+    }
 }
 
 std::span<const FieldAlias> field_aliases()

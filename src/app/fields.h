@@ -30,16 +30,41 @@ enum class FieldId : std::uint8_t
     look_y,
     look_z,
     ground,
+    probe,
+    point_x,
+    point_y,
+    point_z,
+    point_radius,
+    line_ax,
+    line_ay,
+    line_az,
+    line_bx,
+    line_by,
+    line_bz,
+    handle,
+    speed,
+    aim_x,
+    aim_y,
+    spheres,
+    fit,
+    triangles,
+    particles,
+    amount,
+    detail,
+    threshold,
+    parts,
+    axis,
+    wireframe,
 };
 
-constexpr std::size_t FIELD_COUNT = 15;
+constexpr std::size_t FIELD_COUNT = 40;
 
 /// Says how a field is written for people, and how fine.
 /// One unit has 10^decimals steps of the grid; a step is numerator / denominator in the state's own unit
 /// (radians or metres).
 struct Unit
 {
-    std::string_view name; ///< "degrees", "metres" or ""
+    std::string_view name; ///< "degrees", "metres", "metres per second" or ""
     int decimals;
     double numerator;
     double denominator;
@@ -78,6 +103,10 @@ const Field& field(FieldId id);
 
 /// Returns the field with that link name, or null.
 const Field* find_field(std::string_view name);
+
+/// Returns whether what a replay shows depends on the field: those of the camera, of what is drawn and of the
+/// levels do not matter to where the projectile flies and what it meets.
+bool matters_to_replay(const Field& field);
 
 /// Returns the table of aliases.
 std::span<const FieldAlias> field_aliases();

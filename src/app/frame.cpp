@@ -1,47 +1,113 @@
 #include "app/frame.h"
 
+#include "app/firing.h"
+#include "lod/level_selector.h"
+#include "tank/part_matrices.h"
+
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 
 namespace app {
 
 namespace {
 
-constexpr double FIELD_OF_VIEW = std::numbers::pi / 4.0; // 45 degrees, as in the handout
+/// A projectile is drawn no smaller than this. Metres.
+constexpr double SMALLEST_DRAWN_RADIUS = 0.08;
 
-/// Beyond the tank by this much things can still be seen. Metres.
-constexpr double SEEN_BEHIND = 600.0;
+/// Lines without an end are drawn so far beyond their handles: further than anything can be seen. Metres.
+constexpr double FAR_AWAY = 1500.0;
 
-CameraView camera_view(const State& state)
+constexpr Level to_app(lod::Level level)
 {
-    const Camera& camera = state.camera;
-    const glm::dvec3 centre = glm::dvec3(state.x, 0.0, state.z) + camera.look;
-    const double level = std::cos(camera.tilt);
-    const glm::dvec3 towards_eye(level * std::sin(camera.orbit), std::sin(camera.tilt),
-                                 level * std::cos(camera.orbit));
-    const glm::dvec3 eye = centre + camera.distance * towards_eye;
-    // The ground at the lower edge of the window is at least 0.92 of the eye's height deep (cos 22.5
-    // degrees), at any tilt; it must not be cut off. A near plane of 1 m keeps a step of 24-bit depth at 400
-    // m to a centimetre.
-    const double near_plane = std::min({0.05 * camera.distance, 0.9 * eye.y, 1.0});
-    return {.eye = eye,
-            .centre = centre,
-            .up = {0.0, 1.0, 0.0},
-            .field_of_view = FIELD_OF_VIEW,
-            .near_plane = near_plane,
-            .far_plane = camera.distance + SEEN_BEHIND};
+    return level == lod::Level::low ? Level::low : Level::high;
+}
+
+Level level_of(const State& state)
+{
+    switch (state.show.detail) {
+    case Detail::low:
+        return Level::low;
+    case Detail::automatic:
+        return to_app(lod::level_at(state.camera.distance, state.show.threshold));
+    case Detail::high:
+    case Detail::both:
+        break;
+    }
+    return Level::high;
+}
+
+collision::PartSet shown_parts(const State& state)
+{
+    collision::PartSet parts;
+    for (tank::Part part : tank::ALL_PARTS) {
+        if (is_shown(state.show.parts, part)) {
+            parts.insert(tank::index_of(part));
+        }
+    }
+    return parts;
+}
+
+ProbeInFrame probe_of(const Projectile& projectile)
+{
+    const glm::dvec3 a = projectile.a;
+    const glm::dvec3 b = projectile.b;
+    const double length = glm::length(b - a);
+    const glm::dvec3 beyond = length > 0.0 ? (b - a) * (FAR_AWAY / length) : glm::dvec3(0.0);
+    const bool has_end = projectile.probe != Probe::ray && projectile.probe != Probe::line;
+    return {.probe = projectile.probe,
+            .point = projectile.point,
+            .point_radius = std::max(projectile.radius, SMALLEST_DRAWN_RADIUS),
+            .a = a,
+            .b = b,
+            .from = projectile.probe == Probe::line ? a - beyond : a,
+            .to = has_end ? b : b + beyond,
+            .handle = projectile.handle};
+}
+
+AxisInFrame axis_of(const State& state, const Assets& assets)
+{
+    constexpr tank::Part PARTS[] = {tank::Part::body,          tank::Part::body,
+                                    tank::Part::turret,        tank::Part::main_gun,
+                                    tank::Part::secondary_gun, tank::Part::wheel_left_1};
+    if (state.show.axis == AxisShown::off) {
+        return {};
+    }
+    const tank::Part part = PARTS[static_cast<std::size_t>(state.show.axis)];
+    const tank::PartMatrices matrices =
+        tank::part_matrices(assets.layout, {{state.x, 0.0, state.z}}, state.joints);
+    // A turn about the axis does not turn the axis, so the part's own frame has it as its parent's does.
+    const glm::dmat4 joint(matrices.joint(part));
+    const glm::dvec3 axis(assets.layout[part].axis);
+    return {.is_shown = true,
+            .origin = glm::dvec3(joint[3]),
+            .direction = glm::normalize(glm::dmat3(joint) * axis)};
 }
 
 } // namespace
 
-Frame make_frame(const State& state, const Assets&)
+Frame make_frame(const State& state, const Assets& assets)
 {
     Frame frame{};
     frame.camera = camera_view(state);
-    frame.tanks[0] = {.position = {state.x, 0.0, state.z}, .joints = state.joints, .level = Level::high};
+    frame.tanks[0] = {.position = {state.x, 0.0, state.z}, .joints = state.joints, .level = level_of(state)};
     frame.tank_count = 1;
-    frame.ground = state.ground;
+    if (state.show.detail == Detail::both) {
+        frame.tanks[1] = frame.tanks[0];
+        frame.tanks[1].position.x += BESIDE;
+        frame.tanks[1].level = Level::low;
+        frame.tank_count = 2;
+    }
+    frame.parts = shown_parts(state);
+    frame.ground = state.show.ground;
+    frame.wireframe = state.show.wireframe;
+    frame.probe = probe_of(state.projectile);
+    frame.shot = {.flies = state.shot.flies,
+                  .position = position_of(state.shot),
+                  .velocity = state.shot.velocity,
+                  .radius = std::max(state.projectile.radius, SMALLEST_DRAWN_RADIUS)};
+    frame.axis = axis_of(state, assets);
+    frame.threshold = state.show.threshold;
     return frame;
 }
 

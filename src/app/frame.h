@@ -1,8 +1,12 @@
 #pragma once
 
 #include "app/assets.h"
+#include "app/camera_view.h"
 #include "app/state.h"
+#include "collision/part_set.h"
+#include "particles/particle_view.h"
 #include "tank/joint.h"
+#include "tank/part.h"
 
 #include <array>
 #include <cstddef>
@@ -10,17 +14,6 @@
 #include <span>
 
 namespace app {
-
-/// Holds what gluLookAt and gluPerspective need. Metres, radians.
-struct CameraView
-{
-    glm::dvec3 eye;
-    glm::dvec3 centre;
-    glm::dvec3 up;
-    double field_of_view; ///< from the bottom to the top of the window
-    double near_plane;
-    double far_plane;
-};
 
 /// Holds one tank to draw; the heading is a joint.
 struct TankInFrame
@@ -30,21 +23,109 @@ struct TankInFrame
     Level level;
 };
 
-/// Holds everything that scene/ needs to draw one picture, besides the assets. Without a heap, copied freely.
+/// Holds a bounding sphere to draw with gluSphere. Metres.
+struct SphereInFrame
+{
+    glm::dvec3 centre;
+    double radius;
+    bool is_root;       ///< around the whole tank; otherwise around `part`
+    tank::Part part;    ///< body for the root
+    bool is_penetrated; ///< draw it transparent, in the colour of its level; otherwise as wire
+};
+
+/// Marks the point of the probe that is closest to the centre of a penetrated sphere.
+struct ClosestPointInFrame
+{
+    glm::dvec3 point;
+    glm::dvec3 centre; ///< of the sphere
+    bool is_root;
+};
+
+/// Holds what is tested against the spheres. Metres.
+struct ProbeInFrame
+{
+    Probe probe; ///< none: draw nothing
+    glm::dvec3 point;
+    double point_radius; ///< to draw; that of the test, but never too small to be seen
+    glm::dvec3 a;        ///< the line's handles
+    glm::dvec3 b;
+    glm::dvec3 from; ///< the line's visible ends, far away where it has none of its own
+    glm::dvec3 to;
+    Handle handle; ///< what the keys move
+};
+
+/// Holds the projectile in flight. Metres, m/s.
+struct ShotInFrame
+{
+    bool flies; ///< otherwise draw nothing
+    glm::dvec3 position;
+    glm::dvec3 velocity;
+    double radius;
+};
+
+/// Holds an axis to draw as a line. Metres.
+struct AxisInFrame
+{
+    bool is_shown;
+    glm::dvec3 origin;    ///< the pivot
+    glm::dvec3 direction; ///< of unit length, right-handed about positive angles
+};
+
+/// Marks how a point was tested against the triangles of a part whose sphere it is inside of. Metres.
+struct TriangleInFrame
+{
+    std::array<glm::dvec3, 3> corners; ///< of the nearest triangle
+    glm::dvec3 point;                  ///< of it, nearest to the probe's
+    bool is_inside;                    ///< the probe's point is inside the part's mesh
+};
+
+/// Holds everything that scene/ needs to draw one picture, besides the assets. Without a heap, copied freely;
+/// the particles are views, which last until the Simulation they come from is next changed.
 struct Frame
 {
     static constexpr std::size_t MOST_TANKS = 2;
+    static constexpr std::size_t MOST_SPHERES = 1 + tank::PART_COUNT;
+    static constexpr std::size_t MOST_PARTICLES = 5;
 
     CameraView camera;
     std::array<TankInFrame, MOST_TANKS> tanks;
     std::size_t tank_count;
-    bool ground; ///< draw it
+    collision::PartSet parts; ///< draw these, by index of the part
+    bool ground;              ///< draw it
+    bool wireframe;           ///< draw the tanks' edges, not their faces
+
+    std::array<SphereInFrame, MOST_SPHERES> spheres; ///< furthest centre first
+    std::size_t sphere_count;
+    ProbeInFrame probe;
+    std::array<ClosestPointInFrame, MOST_SPHERES> closest_points;
+    std::size_t closest_point_count;
+    std::array<TriangleInFrame, tank::PART_COUNT> triangles;
+    std::size_t triangle_count;
+    ShotInFrame shot;
+    AxisInFrame axis;
+    std::array<particles::ParticleView, MOST_PARTICLES> particles;
+    std::size_t particle_view_count;
+    double threshold; ///< metres
 
     std::span<const TankInFrame> used_tanks() const { return {tanks.data(), tank_count}; }
+    std::span<const SphereInFrame> used_spheres() const { return {spheres.data(), sphere_count}; }
+    std::span<const ClosestPointInFrame> used_closest_points() const
+    {
+        return {closest_points.data(), closest_point_count};
+    }
+    std::span<const TriangleInFrame> used_triangles() const { return {triangles.data(), triangle_count}; }
+    std::span<const particles::ParticleView> used_particles() const
+    {
+        return {particles.data(), particle_view_count};
+    }
 };
 
-/// Computes the frame of a state. Pure: the same state and assets give the same frame.
-/// The eye is above the ground for every state within the limits of the fields.
+/// How far beside the high tank the low one stands when both are drawn: to +X. Metres.
+constexpr double BESIDE = 5.5;
+
+/// Computes what a state says by itself of its frame: all but spheres, closest points, triangles and
+/// particles, which Simulation::frame() adds. Pure: the same state and assets give the same frame.
+/// The level by distance is that without a memory of the level before.
 Frame make_frame(const State& state, const Assets& assets);
 
 } // namespace app

@@ -12,6 +12,11 @@ enum class Group
     secondary_gun,
     wheels,
     tank,
+    projectile,
+    spheres,
+    particles,
+    detail,
+    picture,
     camera,
     program,
 };
@@ -30,6 +35,16 @@ constexpr std::string_view group_name(Group group)
         return "Wheels";
     case Group::tank:
         return "Tank";
+    case Group::projectile:
+        return "Projectile";
+    case Group::spheres:
+        return "Spheres";
+    case Group::particles:
+        return "Particles";
+    case Group::detail:
+        return "Level of detail";
+    case Group::picture:
+        return "Picture";
     case Group::camera:
         return "Camera";
     case Group::program:

@@ -1,10 +1,13 @@
 #include "app/json.h"
 
 #include "app/commands.h"
+#include "app/facts.h"
 #include "app/fields.h"
+#include "app/firing.h"
 #include "app/frame.h"
 #include "app/json_writer.h"
 #include "app/links.h"
+#include "app/measures.h"
 #include "app/tasks.h"
 
 namespace app {
@@ -106,12 +109,8 @@ void write_command(JsonWriter& json, const Command& command)
     json.end_object();
 }
 
-} // namespace
-
-std::string state_json(const State& state, const Assets* assets)
+void write_state(JsonWriter& json, const State& state)
 {
-    JsonWriter json;
-    json.begin_object();
     for (const Field& field : fields()) {
         json.key(field.name);
         write_value(json, field, grid_value(field, state));
@@ -127,15 +126,97 @@ std::string state_json(const State& state, const Assets* assets)
         }
     }
     json.end_array();
+    write_task_id(json, state, TaskKind::task);
+    write_task_id(json, state, TaskKind::figure);
+}
+
+void write_projectile(JsonWriter& json, const Simulation& simulation)
+{
+    const State& state = simulation.state();
+    json.key("event").string(event_name(state.event.kind));
+    json.key("shot");
+    if (state.shot.flies) {
+        const glm::dvec3 position = position_of(state.shot);
+        json.begin_array();
+        for (int axis = 0; axis < 3; ++axis) {
+            json.decimal(to_millimetres(position[axis]), 3);
+        }
+        json.end_array();
+    } else {
+        json.null();
+    }
+    json.key("inside").begin_array();
+    simulation.inside().for_each(
+        [&](std::size_t part) { json.string(tank::part_name(static_cast<tank::Part>(part))); });
+    json.end_array();
+    json.key("touches").number(simulation.touches());
+    std::uint64_t alight = 0;
+    for (const particles::ParticleSystem* system : simulation.sparks().systems()) {
+        alight += system->live();
+    }
+    json.key("sparks").number(alight);
+    json.key("level_switches").number(simulation.level_switches());
+}
+
+void write_hits(JsonWriter& json, const Simulation& simulation)
+{
+    json.key("count").number(simulation.log().count());
+    json.key("report");
+    write_report(json, simulation.report());
+    json.key("lines").begin_array();
+    for (const std::string& line : report_lines(simulation.report())) {
+        json.string(line);
+    }
+    json.end_array();
+}
+
+} // namespace
+
+std::string state_json(const State& state, const Assets* assets)
+{
+    JsonWriter json;
+    json.begin_object();
+    write_state(json, state);
     json.key("level");
     if (assets != nullptr) {
         json.string(level_name(make_frame(state, *assets).tanks[0].level));
     } else {
         json.null();
     }
-    write_task_id(json, state, TaskKind::task);
-    write_task_id(json, state, TaskKind::figure);
     json.end_object();
+    return json.take();
+}
+
+std::string state_json(const Simulation& simulation)
+{
+    JsonWriter json;
+    json.begin_object();
+    write_state(json, simulation.state());
+    json.key("level").string(level_name(simulation.frame().tanks[0].level));
+    json.key("hits").begin_object();
+    write_hits(json, simulation);
+    json.end_object();
+    write_projectile(json, simulation);
+    json.key("evidence").begin_array();
+    for (const Fact& fact : facts(simulation)) {
+        json.begin_object().key("label").string(fact.label).key("value").string(fact.value).end_object();
+    }
+    json.end_array();
+    json.end_object();
+    return json.take();
+}
+
+std::string hits_json(const Simulation& simulation)
+{
+    JsonWriter json;
+    json.begin_object();
+    write_hits(json, simulation);
+    json.key("log").begin_array();
+    for (const LogLine& line : simulation.log().lines()) {
+        json.begin_object().key("report").number(line.report);
+        json.key("text").string(line.text).end_object();
+    }
+    json.end_array().end_object();
     return json.take();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/assets.h"
+#include "app/simulation.h"
 #include "app/state.h"
 
 #include <span>
@@ -12,6 +13,17 @@ namespace app {
 /// (choices as their names); `tick`, `revision`, `link`, `held` (names of commands), `task` and `figure` (ids
 /// or null); `level`: "high" or "low", the model that is drawn, or null without assets.
 std::string state_json(const State& state, const Assets* assets);
+
+/// Returns the same for a running simulation, and besides: `hits`, as hits_json() but without its log;
+/// `event` (none, open or fire), `shot` (where it is, or null), `inside` (the parts whose spheres the
+/// projectile is inside of), `touches`, `sparks` (how many are alight), `level_switches`; and `evidence`,
+/// what shows live that the task is done, as {label, value} (see facts()).
+std::string state_json(const Simulation& simulation);
+
+/// Returns what the probe hits as {`count`, `report`, `lines`, `log`}. count: of what was printed since the
+/// start; report: an object, or null without a probe (see write_report()); lines: the report as sentences;
+/// log: the last printed lines, oldest first, as {report, text}.
+std::string hits_json(const Simulation& simulation);
 
 /// Returns the table of commands as a JSON array. Every row has `name`, `title`, `group`, `kind`, `keys` (the
 /// browser's KeyboardEvent.code) and `key_labels`. Rows that move fields have `fields`, their link names, and

@@ -2,10 +2,12 @@
 
 #include "app/decimal.h"
 #include "app/fields.h"
+#include "app/firing.h"
 #include "app/tasks.h"
 #include "app/text.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace app {
@@ -212,6 +214,113 @@ void use_item(const Item& item, State& state, Messages& messages)
     }
 }
 
+/// What a link says about the event to be replayed, as three values that are written where they differ from
+/// those of the task. Without an event all are as here.
+struct Replay
+{
+    EventKind kind = EventKind::none;
+    std::int64_t tick = 0;
+    std::int64_t seed = FIRST_SEED;
+};
+
+constexpr std::array<std::string_view, 3> EVENT_NAMES = {
+    event_name(EventKind::none), event_name(EventKind::open), event_name(EventKind::fire)};
+
+bool is_replay_key(std::string_view key)
+{
+    return key == "event" || key == "tick" || key == "seed";
+}
+
+Replay replay_of(const State& state)
+{
+    if (state.event.kind == EventKind::none) {
+        return {};
+    }
+    return {state.event.kind, state.event.age, static_cast<std::int64_t>(state.seed)};
+}
+
+/// Reads a whole number within limits, clamped and named; nothing, having said why, if it is none.
+std::optional<std::int64_t> read_count(const Item& item, std::int64_t lowest, std::int64_t highest,
+                                       Messages& messages)
+{
+    const std::string shown = item.key + "=" + in_quotes(item.value);
+    const Decimal number = read_decimal(item.value, 0);
+    if (number.error != DecimalError::none) {
+        messages.add(item.value.empty() ? in_quotes(item.key) + " has no value and is ignored."
+                                        : shown + std::string(reason(number.error)));
+        return std::nullopt;
+    }
+    const std::int64_t within = std::clamp(number.value, lowest, highest);
+    if (within != number.value) {
+        messages.add(shown + (number.value < within ? " is below" : " is above") + " the limit; " +
+                     write_decimal(within, 0) + " is used.");
+    }
+    return within;
+}
+
+/// Returns the replay that the items ask for, where they do not say otherwise that of the task.
+Replay read_replay(std::span<const Item> items, Replay replay, Messages& messages)
+{
+    bool is_asked = false;
+    bool has_kind = replay.kind != EventKind::none;
+    for (const Item& item : items) {
+        if (item.key == "event") {
+            const auto found = std::find(EVENT_NAMES.begin(), EVENT_NAMES.end(), lower_case(item.value));
+            if (found == EVENT_NAMES.end()) {
+                messages.add("event=" + in_quotes(item.value) + " is not one of " +
+                             listed(EVENT_NAMES, "or") + " and is ignored.");
+                continue;
+            }
+            replay.kind = static_cast<EventKind>(found - EVENT_NAMES.begin());
+            has_kind = true;
+        } else if (item.key == "tick") {
+            if (const auto tick = read_count(item, 0, LONGEST_REPLAY, messages)) {
+                replay.tick = *tick;
+                is_asked = true;
+            }
+        } else if (item.key == "seed") {
+            if (const auto seed = read_count(item, FIRST_SEED, LAST_SEED, messages)) {
+                replay.seed = *seed;
+                is_asked = true;
+            }
+        }
+    }
+    if (is_asked && !has_kind) {
+        replay.kind = EventKind::open;
+    }
+    return replay.kind == EventKind::none ? Replay{} : replay;
+}
+
+/// Lets the event happen in the state, so many ticks ago.
+void use_replay(const Replay& replay, State& state, Messages& messages)
+{
+    state.seed = static_cast<std::uint64_t>(replay.seed);
+    if (std::string fault = begin_event(state, replay.kind, static_cast<std::uint32_t>(replay.tick));
+        !fault.empty()) {
+        messages.add(std::move(fault));
+    }
+    if (state.event.kind == EventKind::none) {
+        state.seed = FIRST_SEED;
+    }
+    state.tick = state.event.age;
+}
+
+/// Returns the state that the items describe: the task's, changed by the others.
+State read_state(std::span<const Item> items, std::optional<std::size_t> task, Messages& messages)
+{
+    State state = starting_state(task);
+    const Replay of_task = replay_of(state);
+    begin_event(state, EventKind::none, 0);
+    for (const Item& item : items) {
+        if (!task_kind(item.key) && !is_replay_key(item.key)) {
+            use_item(item, state, messages);
+        }
+    }
+    state.task = task;
+    use_replay(read_replay(items, of_task, messages), state, messages);
+    return state;
+}
+
 /// Returns the task or figure that the items name last, if any.
 std::optional<std::size_t> read_task(std::span<const Item> items, Messages& messages)
 {
@@ -256,6 +365,15 @@ void append_item(std::string& link, std::string_view key, std::string_view value
     link += value;
 }
 
+/// Puts an opened state in the place of one in use.
+void replace(State& state, State opened)
+{
+    opened.revision = state.revision;
+    ++opened.revision.count;
+    ++opened.revision.openings;
+    state = opened;
+}
+
 std::string written_value(const Field& field, std::int64_t value)
 {
     return field.choices.empty() ? write_decimal(value, field.unit.decimals)
@@ -266,14 +384,13 @@ std::string written_value(const Field& field, std::int64_t value)
 
 State starting_state(std::optional<std::size_t> task)
 {
-    State state;
-    if (task) {
-        Messages none; // a test holds the table's links free of faults
-        for (const Item& item : read_items(tasks()[*task].link, none)) {
-            use_item(item, state, none);
-        }
-        state.task = task;
+    if (!task) {
+        return {};
     }
+    Messages none; // a test holds the table's links free of faults
+    const std::vector<Item> items = read_items(tasks()[*task].link, none);
+    State state = read_state(items, std::nullopt, none);
+    state.task = task;
     return state;
 }
 
@@ -291,6 +408,19 @@ std::string link(const State& state)
             append_item(result, field.name, written_value(field, value));
         }
     }
+    const Replay replay = replay_of(state);
+    const Replay of_start = replay_of(start);
+    if (replay.kind != of_start.kind) {
+        append_item(result, "event", EVENT_NAMES[static_cast<std::size_t>(replay.kind)]);
+    }
+    if (replay.kind != EventKind::none) {
+        if (replay.tick != of_start.tick) {
+            append_item(result, "tick", write_decimal(replay.tick, 0));
+        }
+        if (replay.seed != of_start.seed) {
+            append_item(result, "seed", write_decimal(replay.seed, 0));
+        }
+    }
     return result;
 }
 
@@ -300,6 +430,12 @@ State snapped(const State& state)
     result.task = state.task;
     for (const Field& field : fields()) {
         set_grid_value(field, result, grid_value(field, state));
+    }
+    if (state.event.kind != EventKind::none) {
+        result.seed = state.seed;
+        result.event = state.event;
+        result.shot = state.shot;
+        result.tick = state.event.age;
     }
     result.revision = state.revision;
     return result;
@@ -318,15 +454,13 @@ LinkResult open_link(State& state, std::string_view fragment)
     }
     const std::vector<Item> items = read_items(fragment, messages);
     report_duplicates(items, messages);
-    State opened = starting_state(read_task(items, messages));
-    for (const Item& item : items) {
-        if (!task_kind(item.key)) {
-            use_item(item, opened, messages);
-        }
-    }
-    opened.revision.count = state.revision.count + 1;
-    state = opened;
+    replace(state, read_state(items, read_task(items, messages), messages));
     return {messages.take()};
+}
+
+void open_task(State& state, std::size_t task)
+{
+    replace(state, starting_state(task));
 }
 
 } // namespace app

@@ -40,6 +40,15 @@ std::string serialised(const State& state)
     }
     append_bytes(bytes, state.tick);
     append_bytes(bytes, state.seed);
+    append_bytes(bytes, std::uint64_t{state.shot.flies});
+    for (const glm::dvec3& vector : {state.shot.origin, state.shot.velocity}) {
+        append_bytes(bytes, vector.x);
+        append_bytes(bytes, vector.y);
+        append_bytes(bytes, vector.z);
+    }
+    append_bytes(bytes, std::uint64_t{state.shot.age});
+    append_bytes(bytes, static_cast<std::uint64_t>(state.event.kind));
+    append_bytes(bytes, std::uint64_t{state.event.age});
     return bytes;
 }
 

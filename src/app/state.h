@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/projectile.h"
+#include "app/show.h"
 #include "tank/joint.h"
 
 #include <bitset>
@@ -27,17 +29,32 @@ struct Camera
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// Says which particles are shown besides the sparks of hits.
+struct ParticleShow
+{
+    std::uint8_t preset = 0; ///< 0: none, otherwise one more than the row of particles::presets()
+    std::int32_t amount = 0; ///< how many places there are
+
+    friend bool operator==(const ParticleShow&, const ParticleShow&) = default;
+};
+
 /// Counts the changes of a state. Every two revisions compare equal: two states with the same content are
 /// equal, however they came about.
 struct Revision
 {
     std::uint64_t count = 0;
+    std::uint64_t openings = 0; ///< of links and tasks
+    std::uint64_t prints = 0;   ///< of the hit report, asked for
 
     friend constexpr bool operator==(Revision, Revision) { return true; }
 };
 
 /// At most this many rows of the table of commands can be held.
 constexpr std::size_t MAXIMUM_HELD_COMMANDS = 128;
+
+/// Seeds are from 1 to this; a firing takes the next one.
+constexpr std::uint64_t FIRST_SEED = 1;
+constexpr std::uint64_t LAST_SEED = 999'999;
 
 /// Holds everything that can change while the program runs, as plain data: copy it, compare it, hash it.
 /// Only apply(), step() and open_link() change one that is in use; each change counts up the revision.
@@ -47,11 +64,15 @@ struct State
     double x = 0.0;           ///< the tank's position on the ground, metres
     double z = 0.0;
     Camera camera;
-    bool ground = false;                     ///< the ground is drawn
+    Projectile projectile;
+    Show show;
+    ParticleShow particles;
+    Shot shot;
+    Event event;
     std::optional<std::size_t> task;         ///< the row of tasks() that the state was opened with
     std::bitset<MAXIMUM_HELD_COMMANDS> held; ///< by row of commands()
     std::uint64_t tick = 0;                  ///< steps of 1/60 s since the state was opened
-    std::uint64_t seed = 1;                  ///< where random numbers continue
+    std::uint64_t seed = FIRST_SEED;         ///< of the random numbers since the event
     Revision revision;                       ///< counts changes people can see; ticks alone are none
 
     /// Makes the state that an empty link describes: every field has its default from the table of fields.

@@ -1,5 +1,6 @@
 #include "app/update.h"
 
+#include "app/firing.h"
 #include "app/text.h"
 
 #include <algorithm>
@@ -35,13 +36,45 @@ double grown_times(double value, double growth, double times)
     return grown(value, towards * (size - whole));
 }
 
+/// Returns the field that a move is about: the commands for the point are also those for the line's ends.
+const Field& moved_field(const State& state, const Move& move)
+{
+    if (!move.of_handle) {
+        return field(move.field);
+    }
+    // The coordinates of the point and of both ends are rows of the table in this order, each x, y, z.
+    const auto axis = static_cast<std::size_t>(move.field) - static_cast<std::size_t>(FieldId::point_x);
+    constexpr FieldId FIRST[] = {FieldId::point_x, FieldId::line_ax, FieldId::line_bx};
+    const FieldId first = FIRST[static_cast<std::size_t>(state.projectile.handle)];
+    return fields()[static_cast<std::size_t>(first) + axis];
+}
+
 void add(State& state, const Move& move, double amount)
 {
-    const Field& target = field(move.field);
+    const Field& target = moved_field(state, move);
     const double old = target.get(state);
     const double bounded = std::clamp(amount, -LARGEST_AMOUNT, LARGEST_AMOUNT);
     const double moved = move.relative ? grown_times(old, move.rate, bounded) : old + bounded * move.rate;
     target.set(state, within_limits(target, moved));
+}
+
+/// Ends the event if anything it depends on is not what it was.
+void end_event_if_changed(const State& before, State& state)
+{
+    if (state.event.kind == EventKind::none) {
+        return;
+    }
+    for (const Field& field : fields()) {
+        if (matters_to_replay(field) && field.get(before) != field.get(state)) {
+            state.event = {};
+            return;
+        }
+    }
+}
+
+bool has_begun_anew(const State& before, const State& after)
+{
+    return after.seed != before.seed || after.revision.openings != before.revision.openings;
 }
 
 std::string faulty_value(const Command& command, double value)
@@ -71,7 +104,10 @@ std::string apply(State& state, const Command& command, double value)
         break;
     case CommandKind::press:
         if (value == 1.0) {
-            command.press(state);
+            if (std::string fault = command.press(state); !fault.empty()) {
+                state = before;
+                return fault;
+            }
         }
         break;
     case CommandKind::add:
@@ -86,7 +122,11 @@ std::string apply(State& state, const Command& command, double value)
         }
         break;
     }
-    if (state != before) {
+    if (!has_begun_anew(before, state)) {
+        end_event_if_changed(before, state);
+    }
+    if (state != before || state.revision.prints != before.revision.prints ||
+        state.revision.openings != before.revision.openings) {
         ++state.revision.count;
     }
     return {};
@@ -112,7 +152,8 @@ void step(State& state, const Assets&)
             continue;
         }
         for (const Move& move : all[i].used_moves()) {
-            (move.relative ? growths : rates)[static_cast<std::size_t>(move.field)] += move.rate;
+            const auto row = static_cast<std::size_t>(moved_field(state, move).id);
+            (move.relative ? growths : rates)[row] += move.rate;
         }
     }
     bool changed = false;
@@ -125,8 +166,14 @@ void step(State& state, const Assets&)
         const double old = field.get(state);
         const double moved = grown(old + rate / TICKS_PER_SECOND, growth / TICKS_PER_SECOND);
         field.set(state, within_limits(field, moved));
-        changed = changed || field.get(state) != old;
+        if (field.get(state) != old) {
+            changed = true;
+            if (matters_to_replay(field)) {
+                state.event = {};
+            }
+        }
     }
+    changed |= step_event(state);
     ++state.tick;
     if (changed) {
         ++state.revision.count;

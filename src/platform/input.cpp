@@ -2,7 +2,6 @@
 
 #include "app/commands.h"
 #include "app/keys.h"
-#include "app/update.h"
 
 #include <algorithm>
 
@@ -19,7 +18,7 @@ bool Input::is_down(app::Key key) const
     return key != app::Key::none && down_[static_cast<std::size_t>(key)];
 }
 
-void Input::key_down(const SDL_KeyboardEvent& event, app::State& state)
+void Input::key_down(const SDL_KeyboardEvent& event, app::Simulation& simulation)
 {
     // With a modifier the key belongs to the window system or the browser (reload, find, copy).
     const bool modified = (event.keysym.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0;
@@ -32,11 +31,11 @@ void Input::key_down(const SDL_KeyboardEvent& event, app::State& state)
         std::any_of(command->keys.begin(), command->keys.end(), [this](app::Key k) { return is_down(k); });
     down_.set(static_cast<std::size_t>(event.keysym.scancode));
     if (!held_already) {
-        app::apply(state, *command, 1.0);
+        simulation.apply(*command, 1.0);
     }
 }
 
-void Input::key_up(const SDL_KeyboardEvent& event, app::State& state)
+void Input::key_up(const SDL_KeyboardEvent& event, app::Simulation& simulation)
 {
     const auto scancode = static_cast<std::size_t>(event.keysym.scancode);
     if (scancode >= down_.size() || !down_[scancode]) {
@@ -47,65 +46,51 @@ void Input::key_up(const SDL_KeyboardEvent& event, app::State& state)
     // Two keys may give one command: it ends with the last of them.
     if (command != nullptr &&
         std::none_of(command->keys.begin(), command->keys.end(), [this](app::Key k) { return is_down(k); })) {
-        app::apply(state, *command, 0.0);
+        simulation.apply(*command, 0.0);
     }
 }
 
-void Input::release_all(app::State& state)
+void Input::release_all(app::Simulation& simulation)
 {
     for (const app::Command& command : app::commands()) {
         if (std::any_of(command.keys.begin(), command.keys.end(),
                         [this](app::Key k) { return is_down(k); })) {
-            app::apply(state, command, 0.0);
+            simulation.apply(command, 0.0);
         }
     }
     down_.reset();
-    dragging_ = false;
+    pointer_.release();
 }
 
-void Input::finger(const SDL_TouchFingerEvent& event, app::State& state)
+void Input::finger(const SDL_TouchFingerEvent& event, app::Simulation& simulation)
 {
     // SDL lets the first finger drag as a mouse would; the second one ends that, or both would turn the view.
     if (const std::optional<double> spread = pinch_.handle(event)) {
-        app::apply(state, "zoom_by", *spread / PINCH_PER_NOTCH);
+        simulation.apply("zoom_by", *spread / PINCH_PER_NOTCH);
     }
     if (pinch_.fingers_down() > 1) {
-        dragging_ = false;
+        pointer_.release();
     }
 }
 
-void Input::handle(const SDL_Event& event, app::State& state)
+void Input::handle(const SDL_Event& event, WindowSize window, app::Simulation& simulation)
 {
+    pointer_.handle(event, window, simulation);
     switch (event.type) {
     case SDL_KEYDOWN:
-        key_down(event.key, state);
+        key_down(event.key, simulation);
         break;
     case SDL_KEYUP:
-        key_up(event.key, state);
-        break;
-    case SDL_MOUSEBUTTONDOWN:
-    case SDL_MOUSEBUTTONUP:
-        if (event.button.button == SDL_BUTTON_LEFT) {
-            dragging_ = event.type == SDL_MOUSEBUTTONDOWN;
-        }
-        break;
-    case SDL_MOUSEMOTION:
-        if (dragging_) {
-            app::apply(state, "orbit_by", -app::DRAG_DEGREES_PER_POINT * event.motion.xrel);
-            app::apply(state, "tilt_by", app::DRAG_DEGREES_PER_POINT * event.motion.yrel);
-        }
-        break;
-    case SDL_MOUSEWHEEL:
-        app::apply(state, "zoom_by", static_cast<double>(event.wheel.preciseY));
+        key_up(event.key, simulation);
         break;
     case SDL_FINGERDOWN:
     case SDL_FINGERMOTION:
     case SDL_FINGERUP:
-        finger(event.tfinger, state);
+        finger(event.tfinger, simulation);
         break;
     case SDL_WINDOWEVENT:
         if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
-            release_all(state);
+            release_all(simulation);
         }
         break;
     default:

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "app/keys.h"
-#include "app/state.h"
+#include "app/simulation.h"
 #include "platform/finger_pinch.h"
+#include "platform/pointer.h"
 
 #include <bitset>
 
@@ -15,19 +16,19 @@ class Input
 {
 public:
     /// Does what the event asks for; events that mean nothing here are ignored.
-    void handle(const SDL_Event& event, app::State& state);
+    void handle(const SDL_Event& event, WindowSize window, app::Simulation& simulation);
 
     /// Lets go of every key and mouse button, as if the hands had left them.
-    void release_all(app::State& state);
+    void release_all(app::Simulation& simulation);
 
 private:
-    void key_down(const SDL_KeyboardEvent& event, app::State& state);
-    void key_up(const SDL_KeyboardEvent& event, app::State& state);
+    void key_down(const SDL_KeyboardEvent& event, app::Simulation& simulation);
+    void key_up(const SDL_KeyboardEvent& event, app::Simulation& simulation);
     bool is_down(app::Key key) const;
-    void finger(const SDL_TouchFingerEvent& event, app::State& state);
+    void finger(const SDL_TouchFingerEvent& event, app::Simulation& simulation);
 
     std::bitset<SDL_NUM_SCANCODES> down_;
-    bool dragging_ = false;
+    Pointer pointer_;
     FingerPinch pinch_;
 };
 

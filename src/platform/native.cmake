@@ -1,9 +1,8 @@
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET GLOBAL egl)
 pkg_check_modules(OPENGL REQUIRED IMPORTED_TARGET GLOBAL gl glu)
-find_package(SDL2 REQUIRED)
 
-add_library(platform_files STATIC asset_files.cpp link_argument.cpp png_file.cpp)
+add_library(platform_files STATIC asset_files.cpp link_argument.cpp log_printer.cpp png_file.cpp)
 target_link_libraries(platform_files PUBLIC app)
 target_include_directories(platform_files SYSTEM PRIVATE ${STB_INCLUDE_DIR})
 
@@ -20,14 +19,6 @@ endfunction()
 add_render_program(tanklab-render-reference reference PkgConfig::OPENGL)
 add_render_program(tanklab-render emulated legacygl)
 
-add_library(platform_program STATIC input.cpp program.cpp)
-target_link_libraries(platform_program PUBLIC app scene SDL2::SDL2)
-
 add_executable(tanklab window_main.cpp window_options.cpp)
 target_link_libraries(tanklab PRIVATE platform_program platform_files scene legacygl)
 set_target_properties(tanklab PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
-
-add_library(platform_checks STATIC
-  capture_json.cpp check_assembly.cpp check_display_lists.cpp check_draw_obj.cpp check_joints.cpp check_json.cpp
-  checks.cpp frame_capture.cpp)
-target_link_libraries(platform_checks PUBLIC app scene legacygl)

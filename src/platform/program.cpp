@@ -1,8 +1,7 @@
 #include "platform/program.h"
 
 #include "app/frame.h"
-#include "app/links.h"
-#include "app/update.h"
+#include "app/ticks.h"
 
 #include <utility>
 
@@ -13,41 +12,44 @@ Program::Program() : clock_(app::TICKS_PER_SECOND) {}
 std::string Program::start(app::Assets assets)
 {
     assets_ = std::move(assets);
-    return renderer_.load(assets_);
+    simulation_.emplace(assets_);
+    std::string fault = renderer_.load(assets_);
+    started_ = fault.empty();
+    return fault;
 }
 
 std::vector<std::string> Program::open_link(std::string_view fragment)
 {
-    return app::open_link(state_, fragment).messages;
+    return simulation_->open_link(fragment).messages;
 }
 
 std::string Program::command(std::string_view name, double value)
 {
-    return app::apply(state_, name, value);
+    return simulation_->apply(name, value);
 }
 
-void Program::handle(const SDL_Event& event)
+void Program::handle(const SDL_Event& event, WindowSize window)
 {
-    input_.handle(event, state_);
+    input_.handle(event, window, *simulation_);
 }
 
 void Program::advance(double seconds)
 {
     for (int tick = clock_.ticks_after(seconds); tick > 0; --tick) {
-        app::step(state_, assets_);
+        simulation_->step();
     }
 }
 
 bool Program::draw_if_changed(int width, int height)
 {
-    const bool shown = drawn_ && drawn_revision_ == state_.revision.count && drawn_width_ == width &&
+    const bool shown = drawn_ && drawn_revision_ == state().revision.count && drawn_width_ == width &&
                        drawn_height_ == height;
     if (shown) {
         return false;
     }
-    renderer_.draw(app::make_frame(state_, assets_), width, height);
+    renderer_.draw(simulation_->frame(), width, height);
     drawn_ = true;
-    drawn_revision_ = state_.revision.count;
+    drawn_revision_ = state().revision.count;
     drawn_width_ = width;
     drawn_height_ = height;
     return true;

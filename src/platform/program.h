@@ -1,12 +1,13 @@
 #pragma once
 
 #include "app/assets.h"
-#include "app/state.h"
+#include "app/simulation.h"
 #include "platform/fixed_step_clock.h"
 #include "platform/input.h"
 #include "scene/scene_renderer.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,10 +22,15 @@ class Program
 {
 public:
     Program();
+    Program(const Program&) = delete; // the simulation points at the assets
+    Program& operator=(const Program&) = delete;
 
     /// Takes the tank's data and makes what drawing needs. A context must be current. Call it once.
     /// Returns "" or a sentence that says what OpenGL refused.
     std::string start(app::Assets assets);
+
+    /// Returns whether start() has returned "". What is said below of the simulation holds from then on.
+    bool started() const { return started_; }
 
     /// Opens a fragment and returns the messages about it, one sentence each.
     std::vector<std::string> open_link(std::string_view fragment);
@@ -32,8 +38,8 @@ public:
     /// Does a command of the table. Returns "" or a sentence that says why nothing was done.
     std::string command(std::string_view name, double value);
 
-    /// Takes one event of the window.
-    void handle(const SDL_Event& event);
+    /// Takes one event of a window of that size.
+    void handle(const SDL_Event& event, WindowSize window);
 
     /// Advances the state by the ticks that `seconds` bring.
     void advance(double seconds);
@@ -45,16 +51,18 @@ public:
     /// Makes the next draw_if_changed draw in any case: the window's content is gone.
     void redraw() { drawn_ = false; }
 
-    const app::State& state() const { return state_; }
+    const app::Simulation& simulation() const { return *simulation_; }
+    const app::State& state() const { return simulation_->state(); }
     const app::Assets& assets() const { return assets_; }
     const scene::SceneRenderer& renderer() const { return renderer_; }
 
 private:
     app::Assets assets_;
-    app::State state_;
+    std::optional<app::Simulation> simulation_;
     Input input_;
     FixedStepClock clock_;
     scene::SceneRenderer renderer_;
+    bool started_ = false;
     bool drawn_ = false;
     std::uint64_t drawn_revision_ = 0;
     int drawn_width_ = 0;

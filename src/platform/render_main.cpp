@@ -3,12 +3,11 @@
 // legacygl and the system's OpenGL define the same symbols, so there is an executable for each, from this
 // one source: `tanklab-render` and `tanklab-render-reference`. Whichever is started, the one that --renderer
 // asks for does the work.
-#include "app/frame.h"
 #include "app/json.h"
-#include "app/links.h"
-#include "app/state.h"
+#include "app/simulation.h"
 #include "platform/asset_files.h"
 #include "platform/link_argument.h"
+#include "platform/log_printer.h"
 #include "platform/offscreen_target.h"
 #include "platform/png_file.h"
 #include "platform/render_options.h"
@@ -46,8 +45,8 @@ std::string start_other_renderer(RendererName renderer, char** arguments)
     return "The renderer asked for is in " + other.string() + ", which cannot be started.";
 }
 
-/// Draws the state and writes the picture. Returns "" or what failed.
-std::string draw_picture(const RenderOptions& options, const app::State& state, const app::Assets& assets)
+/// Draws what the simulation shows and writes the picture. Returns "" or what failed.
+std::string draw_picture(const RenderOptions& options, const app::Simulation& simulation)
 {
     std::string error;
     const std::unique_ptr<OffscreenTarget> target =
@@ -56,10 +55,10 @@ std::string draw_picture(const RenderOptions& options, const app::State& state, 
         return error;
     }
     scene::SceneRenderer renderer;
-    if (error = renderer.load(assets); !error.empty()) {
+    if (error = renderer.load(simulation.assets()); !error.empty()) {
         return error;
     }
-    renderer.draw(app::make_frame(state, assets), options.width, options.height);
+    renderer.draw(simulation.frame(), options.width, options.height);
     const std::vector<std::uint8_t> rgba = scene::read_pixels(options.width, options.height);
     return write_png(options.out, options.width, options.height, rgba);
 }
@@ -84,17 +83,19 @@ int run(int argument_count, char** arguments)
     if (std::string error = read_asset_folder_or_own(options.assets, assets); !error.empty()) {
         return fail(error);
     }
-    app::State state;
-    for (const std::string& message : app::open_link(state, fragment_of(options.link)).messages) {
+    app::Simulation simulation(assets);
+    for (const std::string& message : simulation.open_link(fragment_of(options.link)).messages) {
         std::fprintf(stderr, "tanklab-render: %s\n", message.c_str());
     }
     if (draws) {
-        if (std::string error = draw_picture(options, state, assets); !error.empty()) {
+        if (std::string error = draw_picture(options, simulation); !error.empty()) {
             return fail(error);
         }
     }
     if (options.state) {
-        std::printf("%s\n", app::state_json(state, &assets).c_str());
+        std::printf("%s\n", app::state_json(simulation).c_str());
+    } else {
+        LogPrinter().print(simulation.log());
     }
     return 0;
 }

@@ -20,6 +20,11 @@ platform::WebPage& page()
     return the_page;
 }
 
+platform::Program& program()
+{
+    return page().program();
+}
+
 const char* kept(std::string text)
 {
     static std::string last;
@@ -45,11 +50,17 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_start(const char* fragment)
     return kept(page().start(fragment));
 }
 
-/// Returns the state as JSON (app::state_json).
+/// Returns the state as JSON (app::state_json); before the start that of an empty link.
 EMSCRIPTEN_KEEPALIVE const char* tanklab_state()
 {
-    platform::Program& program = page().program();
-    return kept(app::state_json(program.state(), page().started() ? &program.assets() : nullptr));
+    return kept(program().started() ? app::state_json(program().simulation())
+                                    : app::state_json(app::State{}, nullptr));
+}
+
+/// Returns what the probe hits as JSON (app::hits_json), or null before the start.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_hits()
+{
+    return kept(program().started() ? app::hits_json(program().simulation()) : "null");
 }
 
 /// Returns the table of commands as JSON (app::commands_json).
@@ -61,25 +72,29 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_commands()
 /// Does a command. Returns "" or a sentence that says why nothing was done.
 EMSCRIPTEN_KEEPALIVE const char* tanklab_command(const char* name, double value)
 {
-    return kept(page().started() ? page().program().command(name, value) : NOT_STARTED);
+    return kept(program().started() ? program().command(name, value) : NOT_STARTED);
 }
 
-/// Returns the fragment that describes the state, without '#'.
+/// Returns the fragment that describes the state, without '#'; "" before the start.
 EMSCRIPTEN_KEEPALIVE const char* tanklab_link()
 {
-    return kept(app::link(page().program().state()));
+    return kept(program().started() ? app::link(program().state()) : "");
 }
 
 /// Opens a fragment. Returns the messages about it as a JSON array of sentences.
 EMSCRIPTEN_KEEPALIVE const char* tanklab_open_link(const char* fragment)
 {
-    return kept(app::strings_json(page().program().open_link(fragment)));
+    if (!program().started()) {
+        const std::string messages[] = {NOT_STARTED};
+        return kept(app::strings_json(messages));
+    }
+    return kept(app::strings_json(program().open_link(fragment)));
 }
 
 /// Draws a frame and returns the GL calls it made (capture_json).
 EMSCRIPTEN_KEEPALIVE const char* tanklab_capture()
 {
-    return kept(page().started() ? page().capture() : "[]");
+    return kept(program().started() ? page().capture() : "[]");
 }
 
 /// Returns the lab's tasks, with what their last checks found (tasks_json).
@@ -91,7 +106,7 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_tasks()
 /// Runs the check of a task and returns the task with what it found (task_json).
 EMSCRIPTEN_KEEPALIVE const char* tanklab_check(const char* id)
 {
-    if (page().started()) {
+    if (program().started()) {
         page().check(id);
     }
     return kept(platform::task_json(id, page().check_results()));
@@ -100,7 +115,7 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_check(const char* id)
 /// Draws the state at once, so that the canvas can be read within the same task of the page.
 EMSCRIPTEN_KEEPALIVE void tanklab_draw()
 {
-    if (page().started()) {
+    if (program().started()) {
         page().draw_now();
     }
 }

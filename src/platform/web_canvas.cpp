@@ -140,6 +140,13 @@ bool WebCanvas::fit()
     return true;
 }
 
+WindowSize WebCanvas::size_in_points() const
+{
+    WindowSize size{1, 1};
+    SDL_GetWindowSize(window_, &size.width, &size.height);
+    return size;
+}
+
 bool WebCanvas::take_restored()
 {
     const bool restored = restored_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "platform/pointer.h"
+
 #include <string>
 
 #include <SDL.h>
@@ -21,6 +23,9 @@ public:
 
     int width() const { return width_; }   ///< pixels
     int height() const { return height_; } ///< pixels
+
+    /// Returns the size that the mouse's events are counted in.
+    WindowSize size_in_points() const;
 
     /// Returns whether the context is lost and not yet back.
     bool lost() const { return lost_; }

@@ -46,7 +46,7 @@ void WebPage::add_file(std::string_view name, std::span<const std::uint8_t> byte
 
 std::string WebPage::start(std::string_view fragment)
 {
-    if (started_) {
+    if (program_.started()) {
         return "The program runs already.";
     }
     std::vector<app::AssetFile> files;
@@ -67,7 +67,6 @@ std::string WebPage::start(std::string_view fragment)
         return error;
     }
     files_.clear();
-    started_ = true;
     for (const std::string& message : program_.open_link(fragment)) {
         tell_message(message.c_str());
     }
@@ -87,7 +86,7 @@ void WebPage::frame()
 {
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
-        program_.handle(event);
+        program_.handle(event, canvas_.size_in_points());
     }
     const double now = seconds_now();
     program_.advance(now - last_frame_seconds_);
@@ -111,7 +110,7 @@ void WebPage::report()
     }
     reported_ = true;
     reported_revision_ = revision;
-    tell_state(app::state_json(program_.state(), &program_.assets()).c_str());
+    tell_state(app::state_json(program_.simulation()).c_str());
 }
 
 void WebPage::draw_now()

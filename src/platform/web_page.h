@@ -26,7 +26,6 @@ public:
     /// Returns "" or a sentence that says what is wrong; start() may be called again then, with better files.
     std::string start(std::string_view fragment);
 
-    bool started() const { return started_; }
     Program& program() { return program_; }
 
     /// Draws one frame and returns the GL calls it made as JSON. Vertices within lists are counted, not
@@ -52,7 +51,6 @@ private:
     WebCanvas canvas_;
     Program program_;
     bool canvas_open_ = false;
-    bool started_ = false;
     double last_frame_seconds_ = 0.0;
     bool reported_ = false;
     std::uint64_t reported_revision_ = 0;

@@ -2,6 +2,7 @@
 #include "app/links.h"
 #include "platform/asset_files.h"
 #include "platform/link_argument.h"
+#include "platform/log_printer.h"
 #include "platform/program.h"
 #include "platform/window_options.h"
 
@@ -91,6 +92,14 @@ public:
         }
     }
 
+    /// Returns the size that the mouse's events are counted in.
+    WindowSize size_in_points() const
+    {
+        WindowSize size{1, 1};
+        SDL_GetWindowSize(window_, &size.width, &size.height);
+        return size;
+    }
+
     bool has_area() const { return width_ > 0 && height_ > 0; }
     int width() const { return width_; }
     int height() const { return height_; }
@@ -169,7 +178,7 @@ bool take_events(Program& program, Window& window)
                 program.redraw();
             }
         }
-        program.handle(event);
+        program.handle(event, window.size_in_points());
     }
     return true;
 }
@@ -178,11 +187,13 @@ void run_until_closed(Program& program, Window& window)
 {
     constexpr int IDLE_MILLISECONDS = 8; // less than a tick, so that held keys stay smooth
     Title title;
+    LogPrinter printer;
     double last = seconds_now();
     while (take_events(program, window)) {
         const double now = seconds_now();
         program.advance(now - last);
         last = now;
+        printer.print(program.simulation().log());
         title.update(window, program.state(), now);
         if (window.has_area() && program.draw_if_changed(window.width(), window.height())) {
             window.present();

@@ -36,11 +36,54 @@ TEST(CommandsTest, NoKeyTwice)
     EXPECT_EQ(command_for_key(Key::none), nullptr);
 }
 
-TEST(CommandsTest, KeysForDrivingTheProjectileAndTasksAreLeftFree)
+TEST(CommandsTest, KeysForDrivingAreLeftFree)
 {
-    for (Key key :
-         {Key::w, Key::s, Key::i, Key::j, Key::k, Key::l, Key::u, Key::o, Key::digit_1, Key::digit_0}) {
+    for (Key key : {Key::w, Key::s}) {
         EXPECT_EQ(command_for_key(key), nullptr) << key_code(key);
+    }
+}
+
+TEST(CommandsTest, TheProjectileIsMovedAlongEveryAxisBothWaysByKeys)
+{
+    const struct
+    {
+        Key key;
+        FieldId field;
+        double sign;
+    } keys[] = {
+        {Key::j, FieldId::point_x, -1.0}, {Key::l, FieldId::point_x, 1.0},  {Key::u, FieldId::point_y, -1.0},
+        {Key::o, FieldId::point_y, 1.0},  {Key::i, FieldId::point_z, -1.0}, {Key::k, FieldId::point_z, 1.0},
+    };
+    for (const auto& row : keys) {
+        const Command* command = command_for_key(row.key);
+        ASSERT_NE(command, nullptr);
+        EXPECT_EQ(command->kind, CommandKind::hold);
+        EXPECT_EQ(command->moves[0].field, row.field);
+        EXPECT_GT(command->moves[0].rate * row.sign, 0.0);
+        EXPECT_TRUE(command->moves[0].of_handle);
+    }
+}
+
+TEST(CommandsTest, EveryChoiceHasAKeyThatGoesThroughAllOfThem)
+{
+    for (const Field& field : fields()) {
+        if (field.choices.empty()) {
+            continue;
+        }
+        bool found = false;
+        for (const Command& command : commands()) {
+            if (command.kind != CommandKind::press || command.keys[0] == Key::none) {
+                continue;
+            }
+            State state;
+            std::set<std::int64_t> seen;
+            for (std::size_t i = 0; i < field.choices.size(); ++i) {
+                seen.insert(grid_value(field, state));
+                ASSERT_EQ(command.press(state), "");
+            }
+            found = found || (seen.size() == field.choices.size() && state == State());
+        }
+        EXPECT_TRUE(found) << field.name;
     }
 }
 

@@ -4,6 +4,9 @@
 #include "app/tasks.h"
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace app {
 
@@ -56,6 +59,29 @@ const Assets& tiny_assets()
 {
     static const Assets ASSETS = [] {
         const Files files = Files::complete();
+        mesh::Result<Assets> assets = read_assets(files.views());
+        if (!assets) {
+            std::abort();
+        }
+        return assets.value();
+    }();
+    return ASSETS;
+}
+
+const Assets& own_assets()
+{
+    static const Assets ASSETS = [] {
+        Files files;
+        const std::filesystem::path folder = std::filesystem::path(REPOSITORY) / "assets";
+        for (const std::filesystem::path& from : {folder, folder / "tankobjs"}) {
+            for (const auto& entry : std::filesystem::directory_iterator(from)) {
+                if (entry.is_regular_file()) {
+                    std::ifstream stream(entry.path(), std::ios::binary);
+                    files.add(entry.path().filename().string(),
+                              std::string(std::istreambuf_iterator<char>(stream), {}));
+                }
+            }
+        }
         mesh::Result<Assets> assets = read_assets(files.views());
         if (!assets) {
             std::abort();

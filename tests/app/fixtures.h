@@ -34,6 +34,9 @@ std::string tiny_tga();
 /// Returns assets read from Files::complete().
 const Assets& tiny_assets();
 
+/// Returns the repository's own tank.
+const Assets& own_assets();
+
 /// Returns a state with random values of every field, anywhere within the limits and mostly off the grid.
 State random_state(std::mt19937_64& random);
 

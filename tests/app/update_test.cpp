@@ -60,7 +60,7 @@ TEST(UpdateTest, HoldingReachesTheLimitsAndNeverPassesThem)
         }
         State state;
         expect_done(state, command.name, 1.0);
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < 10000; ++i) { // the projectile has the longest way
             step(state, tiny_assets());
             for (const Field& field : fields()) {
                 ASSERT_GE(field.get(state), field.minimum) << command.name;
@@ -279,11 +279,11 @@ TEST(UpdateTest, ResetsBringBackWhatTheTaskBeganWith)
 TEST(UpdateTest, ToggleGroundTogglesTheGround)
 {
     State state;
-    const bool ground = state.ground;
+    const bool ground = state.show.ground;
     expect_done(state, "toggle_ground", 1.0);
-    EXPECT_EQ(state.ground, !ground);
+    EXPECT_EQ(state.show.ground, !ground);
     expect_done(state, "toggle_ground", 1.0);
-    EXPECT_EQ(state.ground, ground);
+    EXPECT_EQ(state.show.ground, ground);
 }
 
 /// Plays commands at their ticks, in frames of a given number of ticks each.

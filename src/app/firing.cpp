@@ -1,0 +1,189 @@
+#include "app/firing.h"
+
+#include "app/camera_view.h"
+#include "app/fields.h"
+#include "app/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace app {
+
+namespace {
+
+constexpr std::string_view NO_DIRECTION =
+    "Both ends of the line are the same, so there is no direction to fire in.";
+
+/// Sparks are all out so many ticks after the shot has ended.
+constexpr std::uint32_t AFTERGLOW = TICKS_PER_SECOND;
+
+/// So long is a line that is laid by aiming, at most. Metres.
+constexpr double LONGEST_AIMED_LINE = 20.0;
+
+/// Further along a direction of length 1 than anything is.
+constexpr double LARGEST_PARAMETER = 1e6;
+
+/// The places where the projectile can be, as their two outermost corners.
+struct Reach
+{
+    glm::dvec3 low;
+    glm::dvec3 high;
+};
+
+Reach reach()
+{
+    const Field& x = field(FieldId::point_x);
+    const Field& y = field(FieldId::point_y);
+    const Field& z = field(FieldId::point_z);
+    return {{x.minimum, y.minimum, z.minimum}, {x.maximum, y.maximum, z.maximum}};
+}
+
+bool is_within_reach(const glm::dvec3& point)
+{
+    const Reach box = reach();
+    return point.x >= box.low.x && point.y >= box.low.y && point.z >= box.low.z && point.x <= box.high.x &&
+           point.y <= box.high.y && point.z <= box.high.z;
+}
+
+/// The parameters between which a ray is within reach.
+struct Span
+{
+    double from;
+    double to;
+};
+
+/// Ericson, Real-Time Collision Detection (2005), 5.3.3: slab by slab.
+std::optional<Span> within_reach(const glm::dvec3& origin, const glm::dvec3& direction)
+{
+    const Reach box = reach();
+    Span span{0.0, LARGEST_PARAMETER};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (direction[axis] == 0.0) {
+            if (origin[axis] < box.low[axis] || origin[axis] > box.high[axis]) {
+                return std::nullopt;
+            }
+            continue;
+        }
+        const double one = (box.low[axis] - origin[axis]) / direction[axis];
+        const double other = (box.high[axis] - origin[axis]) / direction[axis];
+        span.from = std::max(span.from, std::min(one, other));
+        span.to = std::min(span.to, std::max(one, other));
+    }
+    if (!(span.from < span.to)) {
+        return std::nullopt;
+    }
+    return span;
+}
+
+void put_on_grid(State& state)
+{
+    for (const Field& field : fields()) {
+        if (matters_to_replay(field)) {
+            set_grid_value(field, state, grid_value(field, state));
+        }
+    }
+}
+
+void set_on_grid(State& state, std::array<FieldId, 3> ids, const glm::dvec3& value)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const Field& target = field(ids[static_cast<std::size_t>(axis)]);
+        set_grid_value(target, state, to_grid(target, value[axis]));
+    }
+}
+
+} // namespace
+
+glm::dvec3 position_of(const Shot& shot)
+{
+    return shot.origin + shot.velocity * (static_cast<double>(shot.age) / TICKS_PER_SECOND);
+}
+
+glm::dvec3 projectile_position(const State& state)
+{
+    return state.shot.flies ? position_of(state.shot) : state.projectile.point;
+}
+
+std::string begin_event(State& state, EventKind kind, std::uint32_t age)
+{
+    state.event = {};
+    state.shot = {};
+    if (kind == EventKind::none) {
+        return {};
+    }
+    if (kind == EventKind::fire) {
+        const glm::dvec3 way = state.projectile.b - state.projectile.a;
+        const double length = glm::length(way);
+        if (length == 0.0) {
+            return std::string(NO_DIRECTION);
+        }
+        state.shot = {.flies = true,
+                      .origin = state.projectile.a,
+                      .velocity = way * (state.projectile.speed / length),
+                      .age = 0};
+    }
+    state.event = {kind, 0};
+    for (std::uint32_t tick = 0; tick < age && state.event.kind != EventKind::none; ++tick) {
+        step_event(state);
+    }
+    return {};
+}
+
+bool step_event(State& state)
+{
+    const bool flew = state.shot.flies;
+    if (flew && is_within_reach(position_of(state.shot)) && state.shot.age < LONGEST_REPLAY) {
+        ++state.shot.age;
+    } else {
+        state.shot.flies = false;
+    }
+    if (state.event.kind != EventKind::none) {
+        ++state.event.age;
+        const bool is_out = state.event.kind == EventKind::fire && !state.shot.flies &&
+                            state.event.age > state.shot.age + AFTERGLOW;
+        if (is_out || state.event.age > LONGEST_REPLAY) {
+            state.event = {};
+        }
+    }
+    if (state.event.kind == EventKind::none && !state.shot.flies) {
+        state.shot = {};
+    }
+    return flew;
+}
+
+std::string fire(State& state)
+{
+    State fired = state;
+    put_on_grid(fired);
+    fired.seed = fired.seed >= LAST_SEED ? FIRST_SEED : fired.seed + 1;
+    std::string fault = begin_event(fired, EventKind::fire, 0);
+    if (fault.empty()) {
+        state = fired;
+    }
+    return fault;
+}
+
+std::string fire_at_aim(State& state)
+{
+    const CameraView camera = camera_view(state);
+    const glm::dvec3 direction = glm::normalize(direction_through(view_axes(camera), state.projectile.aim));
+    const std::optional<Span> span = within_reach(camera.eye, direction);
+    if (!span || span->to - span->from < 0.01) {
+        return "The projectile cannot be anywhere on the way that is aimed along.";
+    }
+    const double end = std::min(span->to, span->from + LONGEST_AIMED_LINE);
+    State aimed = state;
+    using enum FieldId;
+    set_on_grid(aimed, {line_ax, line_ay, line_az}, camera.eye + span->from * direction);
+    set_on_grid(aimed, {line_bx, line_by, line_bz}, camera.eye + end * direction);
+    aimed.projectile.aim = glm::dvec2(0.0);
+    std::string fault = fire(aimed);
+    if (fault.empty()) {
+        state = aimed;
+    }
+    return fault;
+}
+
+} // namespace app

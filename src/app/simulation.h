@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/assets.h"
+#include "app/commands.h"
+#include "app/contacts.h"
+#include "app/frame.h"
+#include "app/hit_log.h"
+#include "app/hit_report.h"
+#include "app/links.h"
+#include "app/sparks.h"
+#include "app/state.h"
+#include "app/tank_spheres.h"
+#include "lod/level_selector.h"
+#include "particles/particle_system.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+/// The running program without window and GL: the state and what follows from it. The state goes its way by
+/// commands, steps and links alone; here is what it meets there. Everything the state does not say by
+/// itself, such as where the spheres are, is here and brought up to date by each call.
+/// Not for several threads at once. A step in which nothing moves allocates nothing.
+class Simulation
+{
+public:
+    /// Begins in the default state. `assets` must outlive this.
+    explicit Simulation(const Assets& assets);
+
+    /// Does a command: see app::apply().
+    std::string apply(const Command& command, double value);
+    std::string apply(std::string_view name, double value);
+
+    /// Advances by one tick: see app::step().
+    void step();
+
+    /// Opens a fragment: see app::open_link(). What a link has under way is replayed.
+    LinkResult open_link(std::string_view fragment);
+
+    const State& state() const { return state_; }
+    const Assets& assets() const { return *assets_; }
+    const TankSpheres& spheres() const { return spheres_; }
+
+    /// Returns how the probe was tested, as it is now.
+    const HitReport& report() const { return report_; }
+    const HitLog& log() const { return log_; }
+
+    /// Returns the parts whose spheres the projectile is inside of: in flight, or at rest when it is tested.
+    collision::PartSet inside() const { return contacts_.inside(); }
+
+    /// Returns how many times the projectile has touched a part's sphere since the last opening or firing.
+    std::uint64_t touches() const { return touches_; }
+
+    const Sparks& sparks() const { return sparks_; }
+    const particles::ParticleSystem& shown_particles() const { return particles_; }
+
+    /// Returns the level by distance, with its memory, and how often it has switched since the last opening.
+    Level level() const;
+    std::uint64_t level_switches() const { return level_switches_; }
+
+    /// Returns the 64-bit FNV-1a hash of the state, of what the projectile is inside of and of the sparks
+    /// and particles since the event: the same on every machine after the same commands, and after opening a
+    /// link of what is under way.
+    std::uint64_t hash() const;
+
+    /// Returns what is to be drawn. Views of particles in it last until this is next changed.
+    Frame frame() const;
+
+private:
+    void follow(const State& before);
+    void begin_event();
+    void set_up_particles();
+    void update_level(bool is_opened);
+    void meet();
+    void update_report(bool is_asked);
+
+    const Assets* assets_;
+    State state_;
+    TankSpheres spheres_;
+    TankTriangles triangles_;
+    HitReport report_;
+    HitLog log_;
+    Contacts contacts_;
+    Sparks sparks_;
+    particles::ParticleSystem particles_; ///< the preset that is shown
+    std::uint64_t touches_ = 0;
+    lod::LevelSelector level_;
+    std::uint64_t level_switches_ = 0;
+};
+
+} // namespace app

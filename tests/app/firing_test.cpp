@@ -1,0 +1,444 @@
+#include "app/firing.h"
+
+#include "allocations.h"
+#include "app/camera_view.h"
+#include "app/pointer.h"
+#include "app/simulation.h"
+#include "app/tasks.h"
+#include "app/update.h"
+#include "fixtures.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace app {
+namespace {
+
+void open(Simulation& simulation, std::string_view fragment)
+{
+    EXPECT_TRUE(simulation.open_link(fragment).messages.empty()) << fragment;
+}
+
+void steps(Simulation& simulation, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        simulation.step();
+    }
+}
+
+constexpr std::string_view ACROSS = "line_ax=20&line_ay=2.4&line_az=1&line_bx=19&line_by=2.4&line_bz=1";
+
+TEST(FiringTest, TheProjectileFliesAlongItsLineAtItsSpeed)
+{
+    Simulation simulation(own_assets());
+    open(simulation, std::string(ACROSS) + "&speed=12");
+    EXPECT_FALSE(simulation.state().shot.flies);
+    EXPECT_EQ(simulation.apply("fire", 1.0), "");
+    for (int tick = 0; tick < 50; ++tick) {
+        ASSERT_TRUE(simulation.state().shot.flies);
+        const glm::dvec3 expected(20.0 - 12.0 * tick / 60.0, 2.4, 1.0);
+        ASSERT_LT(glm::distance(position_of(simulation.state().shot), expected), 1e-9);
+        ASSERT_EQ(simulation.frame().shot.position, position_of(simulation.state().shot));
+        simulation.step();
+    }
+}
+
+TEST(FiringTest, AShotEndsByItselfAndEverythingIsAsBefore)
+{
+    Simulation simulation(own_assets());
+    open(simulation, std::string(ACROSS) + "&speed=2000");
+    const State start = simulation.state();
+    simulation.apply("fire", 1.0);
+    steps(simulation, 200);
+    State end = simulation.state();
+    EXPECT_FALSE(end.shot.flies);
+    EXPECT_EQ(end.event.kind, EventKind::none);
+    EXPECT_FALSE(simulation.sparks().is_active());
+    end.tick = start.tick;
+    end.seed = start.seed;
+    EXPECT_EQ(end, start);
+    const std::uint64_t revision = simulation.state().revision.count;
+    steps(simulation, 100);
+    EXPECT_EQ(simulation.state().revision.count, revision);
+    EXPECT_EQ(link(simulation.state()), link(start));
+}
+
+TEST(FiringTest, ALineOfNoLengthIsNotFiredAlong)
+{
+    Simulation simulation(own_assets());
+    open(simulation, "line_ax=1&line_ay=1&line_az=1&line_bx=1&line_by=1&line_bz=1");
+    const State before = simulation.state();
+    EXPECT_EQ(simulation.apply("fire", 1.0),
+              "Both ends of the line are the same, so there is no direction to fire in.");
+    EXPECT_EQ(simulation.state(), before);
+    const LinkResult result =
+        simulation.open_link("line_ax=1&line_ay=1&line_az=1&line_bx=1&line_by=1&line_bz=1&event=fire&tick=5");
+    EXPECT_EQ(result.messages.size(), 1u);
+    EXPECT_EQ(simulation.state(), before);
+}
+
+TEST(FiringTest, EveryPartOnTheWayIsTouchedExactlyOnceAtAnySpeed)
+{
+    Simulation simulation(own_assets());
+    open(simulation, ACROSS);
+    const collision::PartSet on_the_way =
+        simulation.spheres()
+            .hierarchy()
+            .hit_test(collision::Query::ray({20.0, 2.4, 1.0}, {-1.0, 0.0, 0.0}))
+            .parts;
+    ASSERT_GE(on_the_way.count(), 2);
+    for (double speed : {3.0, 17.3, 60.0, 333.3, 1000.0, 2400.0, 5000.0}) {
+        open(simulation, ACROSS);
+        simulation.apply("speed", speed);
+        simulation.apply("fire", 1.0);
+        std::uint64_t sparks = 0;
+        for (int i = 0; i < 1000; ++i) {
+            simulation.step();
+            sparks = std::max(sparks, simulation.sparks().systems()[0]->counts().released +
+                                          simulation.sparks().systems()[0]->counts().refused);
+        }
+        EXPECT_EQ(simulation.touches(), static_cast<std::uint64_t>(on_the_way.count())) << speed;
+        EXPECT_EQ(sparks, 100u * static_cast<std::uint64_t>(on_the_way.count())) << speed;
+        EXPECT_TRUE(simulation.inside().is_empty());
+    }
+}
+
+TEST(FiringTest, RandomShotsTouchWhatTheirWholeWayTouches)
+{
+    Simulation simulation(own_assets());
+    std::mt19937_64 random(61);
+    const auto between = [&](double low, double high) { return low + (high - low) * next_unit(random); };
+    for (int i = 0; i < 300; ++i) {
+        open(simulation, "");
+        simulation.apply("turret", between(-180.0, 180.0));
+        for (std::string_view name : {"line_ax", "line_az"}) {
+            simulation.apply(name, between(-12.0, 12.0));
+        }
+        simulation.apply("line_ay", between(0.0, 6.0));
+        for (std::string_view name : {"line_bx", "line_bz"}) {
+            simulation.apply(name, between(-3.0, 3.0));
+        }
+        simulation.apply("line_by", between(0.0, 4.0));
+        simulation.apply("speed", between(100.0, 5000.0));
+        ASSERT_EQ(simulation.apply("fire", 1.0), "");
+        const State fired = simulation.state();
+        glm::dvec3 end = fired.shot.origin;
+        while (simulation.state().shot.flies) {
+            end = position_of(simulation.state().shot);
+            simulation.step();
+        }
+        const collision::PartSet expected = simulation.spheres()
+                                                .hierarchy()
+                                                .hit_test(collision::Query::segment(fired.shot.origin, end))
+                                                .parts;
+        ASSERT_EQ(simulation.touches(), static_cast<std::uint64_t>(expected.count())) << link(fired);
+    }
+}
+
+TEST(FiringTest, AShowerFallsWhileTheProjectileStaysInsideAndEndsAfterwards)
+{
+    Simulation simulation(own_assets());
+    open(simulation, "probe=point&point_x=30&point_y=2.4&point_z=1");
+    steps(simulation, 10);
+    EXPECT_FALSE(simulation.sparks().is_active());
+    simulation.apply("point_x", 1.0);
+    steps(simulation, 1);
+    const std::uint64_t touched = simulation.touches();
+    EXPECT_GE(touched, 1u);
+    EXPECT_FALSE(simulation.inside().is_empty());
+    steps(simulation, 300);
+    EXPECT_EQ(simulation.touches(), touched);
+    const auto systems = simulation.sparks().systems();
+    EXPECT_EQ(systems[0]->live(), 0u); // the burst has burnt out
+    EXPECT_GT(systems[1]->live(), 0u); // the shower goes on
+    simulation.apply("point_x", 30.0);
+    steps(simulation, 60);
+    EXPECT_FALSE(simulation.sparks().is_active());
+    EXPECT_TRUE(simulation.frame().used_particles().empty());
+}
+
+TEST(FiringTest, SparksStartWhereTheSphereIsTouchedAndNeverFallThroughTheGround)
+{
+    Simulation simulation(own_assets());
+    open(simulation, std::string(ACROSS) + "&speed=600");
+    simulation.apply("fire", 1.0);
+    while (simulation.touches() == 0) {
+        simulation.step();
+    }
+    const std::string& text = simulation.log().lines().back().text;
+    EXPECT_NE(text.find("The projectile touches "), std::string::npos) << text;
+    bool any = false;
+    for (int tick = 0; tick < 60; ++tick) {
+        const Frame frame = simulation.frame();
+        for (const particles::ParticleView& view : frame.used_particles()) {
+            for (std::size_t i = 0; i < view.count(); ++i) {
+                any = true;
+                ASSERT_GE(view.position(i).y, -1e-4F);
+                ASSERT_LT(glm::length(glm::dvec3(view.position(i))), 15.0);
+            }
+        }
+        simulation.step();
+    }
+    EXPECT_TRUE(any);
+}
+
+TEST(FiringTest, ALinkOfAShotInFlightReplaysItToTheSameHash)
+{
+    for (std::string_view base : {"", "speed=40&turret=33.33&probe=point&point_x=1", "task=2.6", "task=1.1",
+                                  "particles=fountain&amount=200&speed=30"}) {
+        for (int tick : {0, 1, 7, 31, 60, 90}) {
+            Simulation live(own_assets());
+            open(live, base);
+            live.apply("gun_up", 1.0);
+            steps(live, 13); // off the grid
+            live.apply("gun_up", 0.0);
+            live.apply("fire", 1.0);
+            steps(live, tick);
+            live.apply("orbit", 77.0); // looking changes nothing
+            const std::string text = link(live.state());
+            EXPECT_EQ(live.state().event.kind, EventKind::fire) << base;
+            Simulation replayed(own_assets());
+            steps(replayed, 5);
+            open(replayed, text);
+            EXPECT_EQ(link(replayed.state()), text);
+            EXPECT_EQ(replayed.state(), snapped(live.state())) << text;
+            EXPECT_EQ(replayed.inside(), live.inside()) << text;
+            EXPECT_EQ(replayed.touches(), live.touches()) << text;
+            EXPECT_EQ(replayed.sparks().hash(), live.sparks().hash()) << text;
+            State opened;
+            open_link(opened, text);
+            EXPECT_EQ(opened, replayed.state()) << text; // with and without a simulation
+            // And both go on alike.
+            steps(replayed, 20);
+            steps(live, 20);
+            EXPECT_EQ(replayed.sparks().hash(), live.sparks().hash()) << text;
+            EXPECT_EQ(replayed.state().shot, live.state().shot);
+        }
+    }
+}
+
+TEST(FiringTest, AnOpenedAnimationReplaysToTheSameHash)
+{
+    constexpr std::string_view BASE = "probe=point&point_x=1&point_y=2.4&point_z=1&particles=box&event=open";
+    Simulation live(own_assets());
+    open(live, BASE);
+    steps(live, 100);
+    const std::string text = link(live.state());
+    EXPECT_NE(text.find("&event=open&tick=100"), std::string::npos) << text;
+    Simulation replayed(own_assets());
+    open(replayed, text);
+    EXPECT_EQ(replayed.hash(), live.hash());
+    EXPECT_GT(replayed.touches(), 0u);
+    live.apply("turret", 5.0); // what was under way cannot be replayed from here
+    EXPECT_EQ(link(live.state()).find("event"), std::string::npos);
+    steps(replayed, 3600);
+    EXPECT_EQ(replayed.state().event.kind, EventKind::none);
+}
+
+TEST(FiringTest, SameCommandsGiveTheSameHashWhateverTheFrames)
+{
+    const auto play = [](bool draws) {
+        Simulation simulation(own_assets());
+        open(simulation, "task=2.6&particles=explosion");
+        for (int i = 0; i < 100; ++i) {
+            if (i % 30 == 10) {
+                simulation.apply("fire", 1.0);
+            }
+            simulation.step();
+            if (draws) {
+                simulation.frame();
+            }
+        }
+        return simulation.hash();
+    };
+    EXPECT_EQ(play(false), play(true));
+}
+
+TEST(FiringTest, BadEventsInLinksAreNamed)
+{
+    State state;
+    EXPECT_EQ(open_link(state, "event=bang").messages.size(), 1u);
+    EXPECT_EQ(state, State());
+    EXPECT_EQ(open_link(state, "event=fire&tick=99999").messages.size(), 1u); // clamped
+    EXPECT_EQ(open_link(state, "event=fire&tick=-1").messages.size(), 1u);
+    EXPECT_EQ(open_link(state, "event=fire&seed=0").messages.size(), 1u);
+    EXPECT_EQ(open_link(state, "event=fire&seed=x&tick=").messages.size(), 2u);
+    EXPECT_TRUE(open_link(state, "tick=7").messages.empty());
+    EXPECT_EQ(link(state), "event=open&tick=7");
+    EXPECT_TRUE(open_link(state, "task=2.6&event=none").messages.empty());
+    EXPECT_EQ(link(state), "task=2.6&event=none");
+    EXPECT_FALSE(state.shot.flies);
+}
+
+TEST(FiringTest, AimingFiresFromTheEyeThroughThePlaceInTheWindow)
+{
+    Simulation simulation(own_assets());
+    for (glm::dvec2 aim : {glm::dvec2(0.0), glm::dvec2(0.3, -0.2), glm::dvec2(-0.5, 0.4)}) {
+        open(simulation, "orbit=70&tilt=25&distance=30");
+        simulation.apply("aim_x", aim.x);
+        simulation.apply("aim_y", aim.y);
+        const CameraView camera = camera_view(simulation.state());
+        const ViewAxes axes = view_axes(camera);
+        ASSERT_EQ(simulation.apply("fire_at_aim", 1.0), "");
+        const Projectile& projectile = simulation.state().projectile;
+        EXPECT_EQ(projectile.aim, glm::dvec2(0.0));
+        EXPECT_LT(glm::distance(projectile.a, camera.eye), 0.001);
+        const glm::dvec3 way = projectile.b - projectile.a;
+        const double depth = glm::dot(way, axes.forward);
+        EXPECT_NEAR(glm::dot(way, axes.right) / (depth * axes.heights_per_depth), aim.x, 2e-4);
+        EXPECT_NEAR(glm::dot(way, axes.up) / (depth * axes.heights_per_depth), aim.y, 2e-4);
+        EXPECT_TRUE(simulation.state().shot.flies);
+    }
+    open(simulation, "orbit=70&tilt=25&distance=30");
+    simulation.apply("fire_at_aim", 1.0); // through the middle: at the tank
+    steps(simulation, 300);
+    EXPECT_GT(simulation.touches(), 0u);
+    open(simulation, "x=200&orbit=90&tilt=0&distance=400");
+    simulation.apply("aim_x", 4.0);
+    EXPECT_NE(simulation.apply("fire_at_aim", 1.0), "");
+    EXPECT_FALSE(simulation.state().shot.flies);
+}
+
+TEST(FiringTest, DraggingMovesTheHandleUnderThePointer)
+{
+    Simulation simulation(own_assets());
+    open(simulation, "probe=point&point_x=1&orbit=30&distance=12");
+    const CameraView camera = camera_view(simulation.state());
+    const ViewAxes axes = view_axes(camera);
+    const auto seen = [&] {
+        const glm::dvec3 from_eye = simulation.state().projectile.point - camera.eye;
+        const double height = glm::dot(from_eye, axes.forward) * axes.heights_per_depth;
+        return glm::dvec3(glm::dot(from_eye, axes.right) / height, glm::dot(from_eye, axes.up) / height,
+                          glm::dot(from_eye, axes.forward));
+    };
+    const glm::dvec3 start = seen();
+    EXPECT_EQ(handle_at(simulation.state(), glm::dvec2(start) + glm::dvec2(0.01, 0.0)), Handle::point);
+    EXPECT_FALSE(handle_at(simulation.state(), glm::dvec2(start) + glm::dvec2(0.1, 0.0)));
+    simulation.apply("aim_x", start.x + 0.1);
+    simulation.apply("aim_y", start.y + 0.05);
+    ASSERT_EQ(simulation.apply("move_to_aim", 1.0), "");
+    EXPECT_NEAR(seen().x, start.x + 0.1, 1e-4);
+    EXPECT_NEAR(seen().y, start.y + 0.05, 1e-4);
+    EXPECT_NEAR(seen().z, start.z, 1e-9);
+    open(simulation, "probe=segment");
+    EXPECT_FALSE(handle_at(simulation.state(), glm::dvec2(9.0)));
+}
+
+TEST(FiringTest, LevelsSwitchExactlyOnceACrossing)
+{
+    Simulation simulation(own_assets());
+    std::mt19937_64 random(67);
+    for (double speed : {0.01, 0.7, 5.0, 40.0}) {
+        open(simulation, "distance=40");
+        EXPECT_EQ(simulation.frame().tanks[0].level, Level::high);
+        for (double distance = 40.0; distance < 90.0; distance += speed) {
+            simulation.apply("distance", distance + 0.3 * (next_unit(random) - 0.5));
+            simulation.step();
+        }
+        simulation.apply("distance", 90.0);
+        EXPECT_EQ(simulation.level_switches(), 1u) << speed;
+        EXPECT_EQ(simulation.frame().tanks[0].level, Level::low);
+        for (double distance = 90.0; distance > 40.0; distance -= speed) {
+            simulation.apply("distance", distance);
+            simulation.step();
+        }
+        simulation.apply("distance", 40.0);
+        EXPECT_EQ(simulation.level_switches(), 2u) << speed;
+        EXPECT_EQ(simulation.frame().tanks[0].level, Level::high);
+    }
+    open(simulation, "distance=61"); // within the band a link shows the far side of d as low
+    EXPECT_EQ(simulation.frame().tanks[0].level, Level::low);
+    open(simulation, "distance=80&detail=high");
+    EXPECT_EQ(simulation.frame().tanks[0].level, Level::high);
+    open(simulation, "distance=20&detail=low");
+    EXPECT_EQ(simulation.frame().tanks[0].level, Level::low);
+}
+
+TEST(FiringTest, NotingTheThresholdMakesThisDistanceIt)
+{
+    Simulation simulation(own_assets());
+    open(simulation, "distance=123.456");
+    simulation.apply("note_threshold", 1.0);
+    EXPECT_EQ(simulation.state().show.threshold, 123.456);
+}
+
+TEST(FiringTest, HitsSparksAndJointsGoOnAtEitherLevel)
+{
+    Simulation high(own_assets());
+    Simulation low(own_assets());
+    open(high, "task=2.6&detail=high");
+    open(low, "task=2.6&detail=low");
+    for (int i = 0; i < 90; ++i) {
+        high.step();
+        low.step();
+        ASSERT_EQ(high.inside(), low.inside());
+        ASSERT_EQ(high.sparks().hash(), low.sparks().hash());
+    }
+    EXPECT_GT(low.touches(), 0u);
+}
+
+TEST(FiringTest, EveryPresetWithAnyAmountIsShownAndEnds)
+{
+    Simulation simulation(own_assets());
+    const std::span<const std::string_view> presets = field(FieldId::particles).choices;
+    ASSERT_EQ(presets.size(), 9u); // none, Lab 2's six, and the two of hits
+    for (std::size_t preset = 1; preset < presets.size(); ++preset) {
+        for (double amount : {0.0, 1.0, 500.0, 1e6}) {
+            open(simulation, "");
+            simulation.apply("amount", amount);
+            simulation.apply("particles", static_cast<double>(preset));
+            EXPECT_EQ(simulation.shown_particles().capacity(), static_cast<std::size_t>(amount))
+                << presets[preset];
+            steps(simulation, 3);
+            EXPECT_EQ(simulation.frame().used_particles().empty(), amount == 0.0) << presets[preset];
+        }
+        simulation.apply("particles", 0.0);
+        steps(simulation, 1);
+        EXPECT_FALSE(simulation.shown_particles().is_active());
+    }
+}
+
+TEST(FiringTest, AStepAllocatesNothingWhileShotSparksAndParticlesAreUnderWay)
+{
+    Simulation simulation(own_assets());
+    open(simulation, "task=2.6&particles=box&probe=point&point_x=1");
+    steps(simulation, 120);
+    simulation.apply("speed", 1.0);
+    simulation.apply("fire", 1.0);
+    steps(simulation, 1);
+    ASSERT_TRUE(simulation.state().shot.flies);
+    const std::uint64_t before = allocations();
+    steps(simulation, 100);
+    simulation.frame();
+    EXPECT_EQ(allocations(), before);
+    open(simulation, "");
+    simulation.apply("turret_left", 1.0); // spheres follow
+    steps(simulation, 1);
+    const std::uint64_t turning = allocations();
+    steps(simulation, 100);
+    EXPECT_EQ(allocations(), turning);
+}
+
+TEST(FiringTest, DigitsOpenEveryTaskAndFigure)
+{
+    Simulation simulation(own_assets());
+    std::size_t opened = 0;
+    for (Key key : {Key::digit_1, Key::digit_2, Key::digit_3, Key::digit_4}) {
+        const Command* command = command_for_key(key);
+        ASSERT_NE(command, nullptr);
+        std::vector<bool> seen(tasks().size(), false);
+        for (std::size_t i = 0; i < tasks().size(); ++i) {
+            ASSERT_EQ(simulation.apply(*command, 1.0), "");
+            ASSERT_TRUE(simulation.state().task);
+            const std::size_t row = *simulation.state().task;
+            opened += seen[row] ? 0u : 1u;
+            seen[row] = true;
+            ASSERT_EQ(simulation.state(), starting_state(row)) << tasks()[row].id;
+        }
+    }
+    EXPECT_EQ(opened, tasks().size());
+}
+
+} // namespace
+} // namespace app

@@ -1,11 +1,26 @@
 #include "platform/input.h"
 
+#include "app/camera_view.h"
 #include "app/commands.h"
-#include "app/update.h"
+#include "app/simulation.h"
+#include "platform/asset_files.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace {
+
+constexpr platform::WindowSize WINDOW{800, 600};
+
+const app::Assets& own_assets()
+{
+    static const app::Assets ASSETS_READ = [] {
+        app::Assets assets;
+        EXPECT_EQ(platform::read_asset_folder(ASSETS, assets), "");
+        return assets;
+    }();
+    return ASSETS_READ;
+}
 
 class Input : public ::testing::Test
 {
@@ -17,7 +32,7 @@ protected:
         event.key.keysym.scancode = scancode;
         event.key.keysym.mod = modifiers;
         event.key.repeat = repeat;
-        input.handle(event, state);
+        input.handle(event, WINDOW, simulation);
     }
 
     void button(Uint32 type, Uint8 which)
@@ -25,16 +40,22 @@ protected:
         SDL_Event event{};
         event.type = type;
         event.button.button = which;
-        input.handle(event, state);
+        event.button.x = pointer_x;
+        event.button.y = pointer_y;
+        input.handle(event, WINDOW, simulation);
     }
 
     void move(int x, int y)
     {
         SDL_Event event{};
         event.type = SDL_MOUSEMOTION;
+        pointer_x += x;
+        pointer_y += y;
+        event.motion.x = pointer_x;
+        event.motion.y = pointer_y;
         event.motion.xrel = x;
         event.motion.yrel = y;
-        input.handle(event, state);
+        input.handle(event, WINDOW, simulation);
     }
 
     void finger(Uint32 type, SDL_FingerID id, float x, float y)
@@ -44,7 +65,7 @@ protected:
         event.tfinger.fingerId = id;
         event.tfinger.x = x;
         event.tfinger.y = y;
-        input.handle(event, state);
+        input.handle(event, WINDOW, simulation);
     }
 
     bool is_held(std::string_view command) const
@@ -52,7 +73,10 @@ protected:
         return state.held[static_cast<std::size_t>(app::find_command(command) - app::commands().data())];
     }
 
-    app::State state;
+    app::Simulation simulation{own_assets()};
+    const app::State& state = simulation.state();
+    int pointer_x = 400;
+    int pointer_y = 300;
     platform::Input input;
 };
 
@@ -94,12 +118,12 @@ TEST_F(Input, EndsACommandOfTwoKeysWithTheLastOfThem)
 
 TEST_F(Input, PressesOnceHoweverLongAKeyIsDown)
 {
-    const bool before = state.ground;
+    const bool before = state.show.ground;
     key(SDL_KEYDOWN, SDL_SCANCODE_B);
     key(SDL_KEYDOWN, SDL_SCANCODE_B, KMOD_NONE, 1);
     key(SDL_KEYDOWN, SDL_SCANCODE_B, KMOD_NONE, 1);
     key(SDL_KEYUP, SDL_SCANCODE_B);
-    EXPECT_NE(state.ground, before);
+    EXPECT_NE(state.show.ground, before);
 }
 
 TEST_F(Input, LeavesShortcutsToTheWindowSystem)
@@ -144,7 +168,7 @@ TEST_F(Input, LetsGoOfEverythingWhenTheFocusIsLost)
     SDL_Event event{};
     event.type = SDL_WINDOWEVENT;
     event.window.event = SDL_WINDOWEVENT_FOCUS_LOST;
-    input.handle(event, state);
+    input.handle(event, WINDOW, simulation);
     EXPECT_TRUE(state.held.none());
     const app::State before = state;
     move(30, 30);
@@ -172,16 +196,59 @@ TEST_F(Input, OrbitsAndTiltsByDraggingWithTheLeftButtonOnly)
     EXPECT_EQ(state, after);
 }
 
+TEST_F(Input, FiresThroughThePointerByAClickEvenOfATremblingHand)
+{
+    pointer_x = 500;
+    pointer_y = 250;
+    button(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT);
+    move(2, -1);
+    EXPECT_FALSE(state.shot.flies);
+    button(SDL_MOUSEBUTTONUP, SDL_BUTTON_LEFT);
+    ASSERT_TRUE(state.shot.flies);
+
+    // The way of the shot, seen from the eye, goes through the pixel under the pointer.
+    const app::CameraView camera = app::camera_view(state);
+    const app::ViewAxes axes = app::view_axes(camera);
+    const glm::dvec3 far = state.shot.origin + state.shot.velocity - camera.eye;
+    const double depth = glm::dot(far, axes.forward) * axes.heights_per_depth;
+    EXPECT_NEAR(glm::dot(far, axes.right) / depth, (502.5 - 400.0) / 600.0, 2e-3);
+    EXPECT_NEAR(glm::dot(far, axes.up) / depth, (300.0 - 249.5) / 600.0, 2e-3);
+}
+
+TEST_F(Input, FiresNothingByADrag)
+{
+    button(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT);
+    move(10, 0);
+    move(-10, 0);
+    button(SDL_MOUSEBUTTONUP, SDL_BUTTON_LEFT);
+    EXPECT_FALSE(state.shot.flies);
+}
+
+TEST_F(Input, DragsTheProjectileWhereADragBeginsOnIt)
+{
+    simulation.open_link(
+        "probe=point&point_x=0&point_y=2&point_z=0&orbit=0&tilt=0&look_x=0&look_y=2&look_z=0");
+    const app::State before = state;
+    button(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT);
+    move(60, -30);
+    button(SDL_MOUSEBUTTONUP, SDL_BUTTON_LEFT);
+    EXPECT_GT(state.projectile.point.x, 0.2);
+    EXPECT_GT(state.projectile.point.y, 2.1);
+    EXPECT_NEAR(state.projectile.point.z, 0.0, 1e-6); // as deep in the picture as it was
+    EXPECT_EQ(state.camera, before.camera);
+    EXPECT_FALSE(state.shot.flies);
+}
+
 TEST_F(Input, ZoomsByTheWheel)
 {
     const double before = state.camera.distance;
     SDL_Event event{};
     event.type = SDL_MOUSEWHEEL;
     event.wheel.preciseY = 1.0f;
-    input.handle(event, state);
+    input.handle(event, WINDOW, simulation);
     EXPECT_LT(state.camera.distance, before);
     event.wheel.preciseY = -1.0f;
-    input.handle(event, state);
+    input.handle(event, WINDOW, simulation);
     EXPECT_NEAR(state.camera.distance, before, 1e-9);
 }
 

@@ -24,8 +24,8 @@ Refusal refusal_of(const Query& query)
 {
     // The good ones first, which are nearly all.
     // A segment's direction follows from its ends and may be twice as long as they are far.
-    const glm::dvec3& direction = query.shape == Shape::segment ? query.end : query.direction;
-    if (is_near(query.origin) && is_near(query.end) && is_near(direction) && query.radius >= 0.0 &&
+    const glm::dvec3& other = query.shape == Shape::segment ? query.end : query.direction;
+    if (is_near(query.origin) && is_near(other) && query.radius >= 0.0 &&
         query.radius <= LARGEST_COORDINATE) {
         return Refusal::none;
     }

@@ -16,8 +16,8 @@ namespace collision {
 BoundingSphere smallest_sphere(std::span<const glm::vec3> points);
 
 /// Computes the smallest sphere around spheres. Each is inside, in exact arithmetic; the radius is at most
-/// 1e-10 of itself larger than the smallest. Empty ones do not count; none: the empty sphere.
-/// Precondition: all are finite, none reaches beyond 1e100 m.
+/// 1e-10 of itself larger than the smallest, and what rounding its centre costs. Empty ones do not count;
+/// none: the empty sphere. Precondition: all are finite, none reaches beyond 1e100 m.
 BoundingSphere smallest_enclosing(std::span<const BoundingSphere> spheres);
 
 } // namespace collision

@@ -74,12 +74,12 @@ std::optional<SegmentHit> intersect_segment_triangle(const glm::dvec3& a, const 
     const double v = side(corners[0], corners[2]);
     const double w = side(corners[1], corners[0]);
     const bool is_outside = (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0);
-    const double area = u + v + w;
-    if (is_outside || area == 0.0) {
+    if (is_outside) {
         return std::nullopt;
     }
-    const double along = (u * corners[0].z + v * corners[1].z + w * corners[2].z) / area;
+    const double along = (u * corners[0].z + v * corners[1].z + w * corners[2].z) / (u + v + w);
     const double parameter = along / direction[z];
+    // Not-a-number where the triangle is seen edge-on, all three sides being 0.
     if (!(parameter >= 0.0 && parameter <= 1.0)) {
         return std::nullopt;
     }

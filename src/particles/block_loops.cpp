@@ -48,11 +48,13 @@ bool age_block(float* __restrict ages, const float* __restrict lives, int count,
     return any_is_over != 0;
 }
 
-bool mark_outside(Vectors positions, std::int32_t* marks, int count, glm::vec3 normal, float offset)
+bool mark_outside(Vectors positions, std::int32_t* marks, int count, glm::vec3 normal, float offset,
+                  bool adds)
 {
+    const std::int32_t kept = adds ? 1 : 0;
     std::int32_t any = 0;
     for (int i = 0; i < count; ++i) {
-        const std::int32_t mark = marks[i] | (along(normal, positions, i) < offset ? 1 : 0);
+        const std::int32_t mark = (marks[i] & kept) | (along(normal, positions, i) < offset ? 1 : 0);
         marks[i] = mark;
         any |= mark;
     }

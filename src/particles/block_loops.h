@@ -36,9 +36,10 @@ void move_block(float* __restrict positions, float* __restrict velocities, float
 /// Adds to `count` ages and returns whether any has reached its life.
 bool age_block(float* __restrict ages, const float* __restrict lives, int count, float seconds);
 
-/// Sets the marks of those of `count` particles to 1 for which dot(normal, position) < offset, and leaves the
-/// others'. Returns whether any mark is set.
-bool mark_outside(Vectors positions, std::int32_t* marks, int count, glm::vec3 normal, float offset);
+/// Sets the marks of those of `count` particles to 1 for which dot(normal, position) < offset. The others'
+/// become 0 or, with `adds`, stay. Returns whether any mark is set.
+bool mark_outside(Vectors positions, std::int32_t* marks, int count, glm::vec3 normal, float offset,
+                  bool adds);
 
 /// Sets the marks of those of `count` particles to 1 that moved against the normal before and move along it
 /// now, and leaves the others'. Returns whether any mark is set.

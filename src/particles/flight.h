@@ -25,7 +25,34 @@ struct Flight
 /// The library's exp() is not the same everywhere. Here a power series gives a time so short that few terms
 /// are exact, and is doubled until the time is reached: two equal flights in a row make one. Additions,
 /// multiplications and divisions only, so the bits are the same on every machine.
-Flight flight(double air_resistance, double seconds);
+inline Flight flight(double air_resistance, double seconds)
+{
+    // The first term left out is 2^-40 / 10!, beside 1 / 2!.
+    constexpr double longest_series = 1.0 / 32.0;
+    int doublings = 0;
+    double part = seconds;
+    while (air_resistance * part > longest_series) {
+        part *= 0.5;
+        ++doublings;
+    }
+    // (e^-y - 1 + y) / y^2 = 1/2! - y/3! + y^2/4! - ...
+    const double y = air_resistance * part;
+    double sum = -1.0 / 362880.0;
+    sum = sum * y + 1.0 / 40320.0;
+    sum = sum * y - 1.0 / 5040.0;
+    sum = sum * y + 1.0 / 720.0;
+    sum = sum * y - 1.0 / 120.0;
+    sum = sum * y + 1.0 / 24.0;
+    sum = sum * y - 1.0 / 6.0;
+    sum = sum * y + 1.0 / 2.0;
+    Flight result{seconds, 1.0 - y * (1.0 - y * sum), part * (1.0 - y * sum), part * part * sum};
+    for (; doublings > 0; --doublings) {
+        result.fall = 2.0 * result.fall + result.reach * result.reach;
+        result.reach += result.reach * result.keep;
+        result.keep *= result.keep;
+    }
+    return result;
+}
 
 /// Returns the time in seconds after which `reach` has the given value, the inverse of flight().
 /// Precondition: 0 <= reach, and air_resistance * reach < 1: further than that nothing gets.

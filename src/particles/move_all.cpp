@@ -76,12 +76,13 @@ private:
 
     bool mark_all_that_touch()
     {
-        std::fill_n(marks_.begin(), count_, 0);
+        bool adds = false; // to what was marked in the block before: no
         bool any = false;
         for (const Wall& wall : walls_) {
             const glm::vec3 normal{wall.normal};
-            any |=
-                mark_outside(now(positions), marks_.data(), count_, normal, static_cast<float>(wall.offset));
+            any |= mark_outside(now(positions), marks_.data(), count_, normal,
+                                static_cast<float>(wall.offset), adds);
+            adds = true;
             if (glm::dot(wall.normal, forces_.acceleration) > 0.0) {
                 const Vectors before{old_velocities_[0].data(), old_velocities_[1].data(),
                                      old_velocities_[2].data()};
@@ -120,7 +121,7 @@ private:
     int count_ = 0;
     std::array<Values, 3> old_positions_;
     std::array<Values, 3> old_velocities_;
-    std::array<std::int32_t, block_size> marks_;
+    std::array<std::int32_t, block_size> marks_{};
     bool has_recycled_ = false;
 };
 

@@ -96,7 +96,8 @@ TEST(BoundingSphereTest, TheSphereOfPlacedPartsIsThatOfAllTheirVertices)
         glm::dvec3 sum(0);
         double count = 0;
         for (int part = 0; part < 5; ++part) {
-            meshes.push_back(random.points(random.index(6), random.in_box(3), 2)); // some without any
+            const std::size_t vertices = random.index(6); // some without any
+            meshes.push_back(random.points(vertices, random.in_box(3), 2));
         }
         for (const std::vector<glm::vec3>& mesh : meshes) {
             parts.push_back({mesh, glm::mat4(random.rigid_motion(20))});

@@ -1,7 +1,7 @@
 #include "collision/closest_point.h"
 #include "collision/smallest_sphere.h"
 #include "collision/sphere_hierarchy.h"
-#include "tests/collision/random_geometry.h"
+#include "tests/collision/random_hierarchy.h"
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -9,17 +9,16 @@
 namespace collision {
 namespace {
 
-constexpr std::size_t PARTS = 18;
-
-using Matrices = std::vector<glm::mat4>;
 using Meshes = std::vector<std::vector<glm::vec3>>;
 
 Meshes random_meshes(Random& random)
 {
     Meshes meshes;
     for (std::size_t i = 0; i < PARTS; ++i) {
-        const std::size_t count = random.index(20) == 0 ? 0 : 1 + random.index(30);
-        meshes.push_back(random.points(count, random.in_box(2), random.any_size(0.01, 3)));
+        meshes.push_back(random.cloud(30, 2, random.any_size(0.01, 3)));
+        if (random.index(20) == 0) {
+            meshes.back().clear();
+        }
     }
     return meshes;
 }
@@ -31,57 +30,6 @@ std::vector<BoundingSphere> spheres_of(const Meshes& meshes, bool smallest)
         spheres.push_back(smallest ? smallest_sphere(mesh) : average_sphere(mesh));
     }
     return spheres;
-}
-
-/// A pose: each part turned and placed somehow, all within `far` of the origin; some of them stretched.
-Matrices random_pose(Random& random, double far, bool may_stretch = true)
-{
-    Matrices matrices;
-    const glm::dvec3 place = random.in_box(far);
-    for (std::size_t i = 0; i < PARTS; ++i) {
-        glm::dmat4 matrix = random.rigid_motion(4);
-        if (may_stretch && random.index(6) == 0) {
-            const glm::dvec3 scale(random.uniform(0.2, 3), random.uniform(0.2, 3), random.uniform(0.2, 3));
-            matrix[0] *= scale.x;
-            matrix[1] *= scale.y;
-            matrix[2] *= scale.z;
-        }
-        matrix[3] += glm::dvec4(place, 0);
-        matrices.emplace_back(matrix);
-    }
-    return matrices;
-}
-
-SphereHierarchy random_hierarchy(Random& random, double far = 10, double largest_radius = 2)
-{
-    std::vector<BoundingSphere> local;
-    for (std::size_t i = 0; i < PARTS; ++i) {
-        local.push_back({random.in_box(1), random.any_size(0.01, largest_radius)});
-    }
-    SphereHierarchy hierarchy(local);
-    hierarchy.refit(random_pose(random, far, false));
-    return hierarchy;
-}
-
-/// A query near the sphere: most of them near its surface, where it matters.
-Query random_query(Random& random, const BoundingSphere& sphere)
-{
-    const double out = random.index(3) == 0 ? random.uniform(0, 3) : random.uniform(0.95, 1.05);
-    const glm::dvec3 away = random.direction();
-    const glm::dvec3 point = sphere.centre + out * sphere.radius * away;
-    const glm::dvec3 along = glm::cross(away, random.direction()) * random.any_size(1e-3, 1e3);
-    const double radius = random.index(2) == 0 ? 0.0 : random.uniform(0, 0.2) * sphere.radius;
-    const double before = random.uniform(-2, 2);
-    switch (random.index(4)) {
-    case 0:
-        return Query::point(point, radius);
-    case 1:
-        return Query::segment(point + before * along, point + random.uniform(-2, 2) * along, radius);
-    case 2:
-        return Query::ray(point + before * along, along, radius);
-    default:
-        return Query::line(point + before * along, along, radius);
-    }
 }
 
 /// The same question without the hierarchy.
@@ -318,135 +266,6 @@ TEST(HierarchyPropertyTest, ALongerOneHitsNoLess)
         ASSERT_TRUE(has_all(ray, segment)) << i;
         ASSERT_TRUE(has_all(line, ray)) << i;
         ASSERT_TRUE(has_all(thick_line, line)) << i;
-    }
-}
-
-TEST(HierarchyPropertyTest, QuarterTurnsAndStepsOfAGridChangeNothingAtAll)
-{
-    // Everything lies on a grid of 1/64 m, so that no number is rounded before the squares.
-    Random random(48);
-    const auto on_grid = [&](double half) { return glm::round(random.in_box(half) * 64.0) / 64.0; };
-    const glm::dmat4 quarter_turn({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 1});
-    for (int i = 0; i < 1000; ++i) {
-        std::vector<BoundingSphere> local;
-        Matrices matrices;
-        Matrices moved_matrices;
-        glm::dmat4 motion = i % 2 == 0 ? quarter_turn : quarter_turn * quarter_turn;
-        motion[3] = glm::dvec4(on_grid(i % 3 == 0 ? 5e4 : 10), 1);
-        for (std::size_t part = 0; part < PARTS; ++part) {
-            local.push_back({on_grid(2), std::abs(on_grid(1).x)});
-            glm::dmat4 matrix = i % 5 == 0 ? quarter_turn : glm::dmat4(1);
-            matrix[3] = glm::dvec4(on_grid(4), 1);
-            matrices.emplace_back(matrix);
-            moved_matrices.emplace_back(motion * matrix);
-        }
-        SphereHierarchy hierarchy(local);
-        SphereHierarchy moved(local);
-        hierarchy.refit(matrices);
-        moved.refit(moved_matrices);
-        for (int j = 0; j < 10; ++j) {
-            const glm::dvec3 a = on_grid(6);
-            const glm::dvec4 far_a = motion * glm::dvec4(a, 1);
-            ASSERT_EQ(moved.hit_test(Query::point(far_a)).parts, hierarchy.hit_test(Query::point(a)).parts)
-                << i;
-        }
-        for (std::size_t part = 0; part < PARTS; ++part) {
-            ASSERT_EQ(moved.parts()[part].radius, hierarchy.parts()[part].radius);
-            ASSERT_EQ(moved.parts()[part].centre,
-                      glm::dvec3(motion * glm::dvec4(hierarchy.parts()[part].centre, 1)));
-        }
-    }
-}
-
-TEST(HierarchyPropertyTest, ARigidMotionChangesNothingButRounding)
-{
-    // The matrices are floats: turned once more, they round by 1e-7 of the parts' 10 m.
-    constexpr double ROUNDING = 1e-5;
-    Random random(49);
-    for (int i = 0; i < 400; ++i) {
-        std::vector<BoundingSphere> local;
-        for (std::size_t part = 0; part < PARTS; ++part) {
-            local.push_back({random.in_box(1), random.any_size(0.01, 2)});
-        }
-        const Matrices matrices = random_pose(random, 5, false);
-        const glm::dmat4 motion = random.rigid_motion(20);
-        Matrices moved_matrices;
-        for (const glm::mat4& matrix : matrices) {
-            moved_matrices.emplace_back(motion * glm::dmat4(matrix));
-        }
-        SphereHierarchy hierarchy(local);
-        SphereHierarchy moved(local);
-        hierarchy.refit(matrices);
-        moved.refit(moved_matrices);
-        ASSERT_NEAR(hierarchy.root().radius, moved.root().radius, ROUNDING);
-        for (int j = 0; j < 20; ++j) {
-            const Query query = random_query(random, hierarchy.parts()[random.index(PARTS)]);
-            Query moved_query = query;
-            moved_query.origin = glm::dvec3(motion * glm::dvec4(query.origin, 1));
-            moved_query.end = glm::dvec3(motion * glm::dvec4(query.end, 1));
-            moved_query.direction = glm::dvec3(motion * glm::dvec4(query.direction, 0));
-            const Explanation before = hierarchy.explain(query);
-            const Explanation after = moved.explain(moved_query);
-            if (std::abs(before.root.depth) > ROUNDING) {
-                ASSERT_EQ(before.root.is_inside, after.root.is_inside) << i;
-            }
-            for (std::size_t part = 0; part < std::min(before.parts.size(), after.parts.size()); ++part) {
-                const SphereTest& test = before.parts[part];
-                ASSERT_NEAR(test.depth, after.parts[part].depth, ROUNDING) << i;
-                if (std::abs(test.depth) > ROUNDING) {
-                    ASSERT_EQ(test.is_inside, after.parts[part].is_inside) << i;
-                }
-            }
-        }
-    }
-}
-
-TEST(HierarchyPropertyTest, ACentimetreAMillionMetresAwayIsHitAndMissedByATenthOfAMillimetre)
-{
-    Random random(50);
-    for (int i = 0; i < 2000; ++i) {
-        const std::vector<BoundingSphere> local{{random.in_box(0.5), 0.01}, {{3, 0, 0}, 0.01}};
-        SphereHierarchy hierarchy(local);
-        glm::mat4 matrix(random.rotation());
-        matrix[3] = glm::vec4(glm::vec3(random.in_box(1e6)), 1);
-        hierarchy.refit(Matrices{matrix, matrix});
-        const glm::dvec3 centre(glm::dmat4(matrix) * glm::dvec4(local[0].centre, 1));
-        const glm::dvec3 away = random.direction();
-        const glm::dvec3 along = glm::cross(away, random.direction()) * 1e6;
-        for (const double out : {0.0099, 0.0101}) {
-            const glm::dvec3 point = centre + out * away;
-            const bool expected = out < 0.01;
-            ASSERT_EQ(hierarchy.hit_test(Query::point(point)).parts.contains(0), expected) << i;
-            ASSERT_EQ(hierarchy.hit_test(Query::segment(point - along, point + along)).parts.contains(0),
-                      expected);
-            ASSERT_EQ(hierarchy.hit_test(Query::ray(point - along, along)).parts.contains(0), expected);
-            ASSERT_EQ(hierarchy.hit_test(Query::line(point + along, along)).parts.contains(0), expected);
-            ASSERT_EQ(hierarchy.hit_test(Query::point(centre + (out + 0.5) * away, 0.5)).parts.contains(0),
-                      expected);
-        }
-    }
-}
-
-TEST(HierarchyPropertyTest, AProjectileTunnelsThroughNothingAtAnySpeed)
-{
-    // The way flown in each step, end to end, meets what the whole way meets.
-    Random random(51);
-    for (int i = 0; i < 300; ++i) {
-        const SphereHierarchy hierarchy = random_hierarchy(random, 3, 0.05);
-        const glm::dvec3 target = hierarchy.parts()[random.index(PARTS)].centre;
-        const glm::dvec3 from = target + 20.0 * random.direction();
-        const glm::dvec3 velocity = 2.0 * (target - from); // a second flies twice as far
-        const PartSet whole = hierarchy.hit_test(Query::segment(from, from + velocity, 0.01)).parts;
-        ASSERT_FALSE(whole.is_empty());
-        for (const int steps : {1, 3, 7, 60, 200}) {
-            PartSet met;
-            for (int step = 0; step < steps; ++step) {
-                const glm::dvec3 a = from + velocity * (static_cast<double>(step) / steps);
-                const glm::dvec3 b = from + velocity * (static_cast<double>(step + 1) / steps);
-                met = PartSet(met.bits() | hierarchy.hit_test(Query::segment(a, b, 0.01)).parts.bits());
-            }
-            ASSERT_EQ(met, whole) << steps;
-        }
     }
 }
 

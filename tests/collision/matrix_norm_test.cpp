@@ -55,11 +55,11 @@ TEST(MatrixNormTest, OfAnyMatrixIsItsLargestSingularValue)
 {
     Random random(5);
     for (int i = 0; i < 1000; ++i) {
-        const glm::dvec3 scale(random.any_size(1e-3, 1e3), random.any_size(1e-3, 1e3),
-                               random.any_size(1e-3, 1e3));
+        const glm::dvec3 scale = random.scales(1e-3, 1e3);
         const glm::dmat3 stretched(glm::dvec3(scale.x, 0, 0), glm::dvec3(0, scale.y, 0),
                                    glm::dvec3(0, 0, scale.z));
-        const glm::mat3 matrix(random.rotation() * stretched * random.rotation());
+        const glm::dmat3 turned = random.rotation() * stretched;
+        const glm::mat3 matrix(turned * random.rotation());
         const double expected = stretch_by_iteration(matrix, random.direction());
         const double stretch = largest_stretch(matrix);
         ASSERT_GE(stretch, expected * (1 - 1e-15)) << i;

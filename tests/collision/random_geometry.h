@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +8,8 @@
 #include <random>
 #include <vector>
 
-// Random shapes and motions, the same on every machine.
+// Random shapes and motions, the same on every machine. For that, two draws are never operands or arguments
+// of one expression, but between braces: compilers take them in different orders.
 namespace collision {
 
 class Random
@@ -20,10 +22,12 @@ public:
         return lowest + (highest - lowest) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
     }
 
-    /// Spread evenly over the orders of magnitude.
+    /// Spread about evenly over the orders of magnitude; without a logarithm, which differs between machines.
     double any_size(double smallest, double largest)
     {
-        return std::exp(uniform(std::log(smallest), std::log(largest)));
+        const auto exponents = static_cast<std::size_t>(std::ilogb(largest) - std::ilogb(smallest) + 1);
+        const int exponent = std::ilogb(smallest) + static_cast<int>(index(exponents));
+        return std::clamp(std::ldexp(uniform(1, 2), exponent), smallest, largest);
     }
 
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(bits_() % count); }
@@ -69,6 +73,23 @@ public:
             result.emplace_back(centre + in_box(half));
         }
         return result;
+    }
+
+    /// Up to `most` points, at least one, in a cube somewhere within `far` of the origin.
+    std::vector<glm::vec3> cloud(std::size_t most, double far, double half)
+    {
+        const std::size_t count = 1 + index(most);
+        const glm::dvec3 centre = in_box(far);
+        return points(count, centre, half);
+    }
+
+    /// A scale for each axis.
+    glm::dvec3 scales(double smallest, double largest)
+    {
+        const double x = any_size(smallest, largest);
+        const double y = any_size(smallest, largest);
+        const double z = any_size(smallest, largest);
+        return {x, y, z};
     }
 
     std::mt19937_64& bits() { return bits_; }

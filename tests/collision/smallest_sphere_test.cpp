@@ -165,7 +165,7 @@ TEST(SmallestSphereTest, NeverLargerThanTheAverageSphere)
 {
     Random random(13);
     for (int i = 0; i < 1000; ++i) {
-        const std::vector<glm::vec3> points = random.points(1 + random.index(30), random.in_box(10), 5);
+        const std::vector<glm::vec3> points = random.cloud(30, 10, 5);
         ASSERT_LE(around(points).radius, average_sphere(points).radius * (1 + FLOAT_STEP)) << i;
     }
 }
@@ -174,7 +174,7 @@ TEST(SmallestSphereTest, TheOrderOfPointsDoesNotMatter)
 {
     Random random(14);
     for (int i = 0; i < 500; ++i) {
-        std::vector<glm::vec3> points = random.points(2 + random.index(60), random.in_box(10), 5);
+        std::vector<glm::vec3> points = random.cloud(60, 10, 5);
         const BoundingSphere sphere = around(points);
         std::shuffle(points.begin(), points.end(), random.bits());
         const BoundingSphere other = around(points);
@@ -213,7 +213,8 @@ TEST(SmallestSphereTest, AHundredThousandPointsOfEveryKind)
     std::vector<glm::vec3> shell;
     std::vector<glm::vec3> line;
     for (std::size_t i = 0; i < MANY; ++i) {
-        ball.emplace_back(random.uniform(0, 1) * random.direction());
+        const double out = random.uniform(0, 1);
+        ball.emplace_back(out * random.direction());
         shell.emplace_back(random.direction());
         line.emplace_back(static_cast<float>(i), 0.0f, 0.0f); // the worst order for moving to the front
     }

@@ -69,7 +69,7 @@ TEST(TransformedSphereTest, ContainsWhatItContainedAfterAnyAffineMatrix)
         const BoundingSphere sphere{glm::dvec3(glm::vec3(random.in_box(5))), random.any_size(1e-2, 10)};
         glm::dmat3 matrix = random.rotation();
         if (i % 3 == 1) { // a scale along some other axes
-            const glm::dvec3 s(random.any_size(0.1, 10), random.any_size(0.1, 10), random.any_size(0.1, 10));
+            const glm::dvec3 s = random.scales(0.1, 10);
             matrix = matrix * glm::dmat3({s.x, 0, 0}, {0, s.y, 0}, {0, 0, s.z}) * random.rotation();
         } else if (i % 3 == 2) { // a shear, and everything else
             const glm::dvec3 a = random.in_box(2);

@@ -179,6 +179,20 @@ TEST(TriangleMeshTest, TheWindingNumberAgreesWithCountingCrossings)
     EXPECT_LT(inside, 1300);
 }
 
+TEST(TriangleMeshTest, EveryTriangleAtACornerIsMetThereWhereNothingIsRounded)
+{
+    const Mesh cube = closed_mesh(4, 1, {});
+    for (const Triangle& aimed_at : cube) {
+        const glm::dvec3 corner(aimed_at.a);
+        for (const Triangle& triangle : cube) {
+            const bool is_at_corner =
+                triangle.a == aimed_at.a || triangle.b == aimed_at.a || triangle.c == aimed_at.a;
+            ASSERT_EQ(intersect_segment_triangle({0, 0, 0}, 2.0 * corner, triangle).has_value(),
+                      is_at_corner);
+        }
+    }
+}
+
 TEST(TriangleMeshTest, NothingLeavesAClosedMeshThroughItsEdgesAndCorners)
 {
     Random random(72);

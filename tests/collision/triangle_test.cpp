@@ -99,9 +99,12 @@ TEST(TriangleTest, EdgesCornersAndTheSegmentsEndsCount)
     for (const glm::dvec3& point : {glm::dvec3(0, 0, 0), glm::dvec3(4, 0, 0), glm::dvec3(0, 4, 0),
                                     glm::dvec3(2, 0, 0), glm::dvec3(0, 3, 0), glm::dvec3(2, 2, 0)}) {
         const glm::dvec3 up(0, 0, 2);
-        EXPECT_TRUE(intersect_segment_triangle(point + up, point - up, RIGHT_ANGLE));
-        EXPECT_TRUE(intersect_segment_triangle(point + up, point, RIGHT_ANGLE));
-        EXPECT_TRUE(intersect_segment_triangle(point, point + up, RIGHT_ANGLE));
+        const Triangle turned{RIGHT_ANGLE.a, RIGHT_ANGLE.c, RIGHT_ANGLE.b};
+        for (const Triangle& triangle : {RIGHT_ANGLE, turned}) {
+            EXPECT_TRUE(intersect_segment_triangle(point + up, point - up, triangle));
+            EXPECT_TRUE(intersect_segment_triangle(point + up, point, triangle));
+            EXPECT_TRUE(intersect_segment_triangle(point, point + up, triangle));
+        }
     }
 }
 
@@ -135,7 +138,8 @@ TEST(TriangleTest, ASegmentThroughAPointOfTheTriangleMeetsItThere)
         }
         const glm::dvec3 edge_1 = glm::dvec3(triangle.b) - glm::dvec3(triangle.a);
         const glm::dvec3 edge_2 = glm::dvec3(triangle.c) - glm::dvec3(triangle.a);
-        const glm::dvec3 direction = random.direction() * random.any_size(0.1, 1000);
+        glm::dvec3 direction = random.direction();
+        direction *= random.any_size(0.1, 1000);
         const glm::dvec3 normal = glm::cross(edge_1, edge_2);
         if (glm::length(normal) < 0.5 ||
             std::abs(glm::dot(normal, direction)) < 0.1 * glm::length(normal) * glm::length(direction)) {

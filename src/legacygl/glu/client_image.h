@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace legacygl::glu {
@@ -57,6 +58,13 @@ int components_of(GLenum format);
 
 /// Returns how many bytes a component of the type has, or a pixel of a packed type.
 int bytes_of(GLenum type);
+
+/// Cuts a number off to an int; what no int can be becomes the least, as on the machines libGLU runs on.
+inline GLint to_int(double value)
+{
+    return value > -2147483649.0 && value < 2147483648.0 ? static_cast<GLint>(value)
+                                                         : std::numeric_limits<GLint>::min();
+}
 
 /// Returns the value in another byte order.
 template <class T> T swapped(T value)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "legacygl/glu/client_image.h"
+
 #include <GL/gl.h>
 
 #include <algorithm>
@@ -38,7 +40,10 @@ template <class T> T mean(T a, T b)
     if constexpr (std::is_same_v<T, GLfloat>)
         return (a + b) / 2;
     else if constexpr (std::is_same_v<T, GLint>)
-        return static_cast<T>(static_cast<double>(static_cast<float>(a) + static_cast<float>(b)) / 2);
+        // libGLU reads them as unsigned here; what is negative is 0 in a texture anyway.
+        return to_int(static_cast<double>(static_cast<float>(static_cast<GLuint>(a)) +
+                                          static_cast<float>(static_cast<GLuint>(b))) /
+                      2);
     else if constexpr (std::is_same_v<T, GLuint>)
         return static_cast<T>((static_cast<double>(a) + static_cast<double>(b)) / 2);
     else
@@ -53,7 +58,7 @@ template <class T> T mean(T a, T b, T c, T d)
     } else if constexpr (std::is_same_v<T, GLint>) {
         const float sum =
             static_cast<float>(a) + static_cast<float>(b) + static_cast<float>(c) + static_cast<float>(d);
-        return static_cast<T>(static_cast<double>(sum / 4) + 0.5);
+        return to_int(static_cast<double>(sum / 4) + 0.5);
     } else if constexpr (std::is_same_v<T, GLuint>) {
         return static_cast<T>((static_cast<double>(a) + b + c + d) / 4 + 0.5);
     } else {
@@ -123,13 +128,10 @@ template <class T> T from_scaled(float value)
         // 2^32 is not a value of the type, but the float next to its greatest.
         constexpr auto greatest = std::numeric_limits<GLuint>::max();
         return value >= static_cast<float>(greatest) ? greatest : static_cast<T>(value);
-    } else if constexpr (std::is_same_v<T, GLint>) {
-        constexpr auto greatest = std::numeric_limits<GLint>::max();
-        return value >= static_cast<float>(greatest) ? greatest : static_cast<T>(value);
     } else if constexpr (std::is_same_v<T, GLfloat>) {
         return value;
     } else {
-        return static_cast<T>(static_cast<GLint>(value));
+        return static_cast<T>(to_int(static_cast<double>(value)));
     }
 }
 

@@ -15,10 +15,10 @@ bool is_index(GLenum format)
     return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX;
 }
 
-/// Converts like C does on the machines libGLU runs on: to an int, of which the low half stays.
+/// Converts to an int, of which the low half stays.
 GLushort truncated(double value)
 {
-    return static_cast<GLushort>(static_cast<GLint>(value));
+    return static_cast<GLushort>(to_int(value));
 }
 
 GLushort to_short(GLubyte value)

@@ -48,7 +48,6 @@ void every_level(int width, int height)
 {
     two_dimensions();
     glEnable(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
@@ -310,8 +309,8 @@ SCENE(glu_scaled_images_of_packed_types)
     for (const auto& [type, format] : types) {
         const std::vector<GLubyte> in = picture(9, 7, 4);
         std::vector<GLubyte> out(6 * 5 * 4);
-        tell(std::to_string(gluScaleImage(format, 9, 7, type, in.data(), 6, 5, type, out.data())) +
-             text_of(out));
+        const GLint result = gluScaleImage(format, 9, 7, type, in.data(), 6, 5, type, out.data());
+        tell(std::to_string(result) + text_of(out));
     }
 }
 

@@ -5,64 +5,64 @@
 
 namespace legacygl {
 
+/// Gives every capability of a texture unit to visit(name, group, change, flag), as visit_capabilities does.
+template <class Visit> void visit_unit_capabilities(TextureUnit& unit, Visit&& visit)
+{
+    for (int i = 0; i < TEXTURE_TARGET_COUNT; ++i)
+        visit(GL_TEXTURE_1D + i, GL_TEXTURE_BIT, Renderer::texturing, unit.enabled[i]);
+    for (int i = 0; i < 4; ++i)
+        visit(GL_TEXTURE_GEN_S + i, GL_TEXTURE_BIT, Renderer::texturing, unit.generation[i].enabled);
+}
+
+/// Gives every other capability to visit(name, group, change, flag): what glEnable calls it, the group of
+/// glPushAttrib that it belongs to besides GL_ENABLE_BIT (OpenGL 1.5, tables 6.9 to 6.21), what a draw must
+/// look at again when it changes, and where it is. The one table that glEnable, glIsEnabled, glGet and
+/// glPushAttrib read.
+template <class Visit> void visit_capabilities(State& s, Visit&& visit)
+{
+    visit(GL_LIGHTING, GL_LIGHTING_BIT, Renderer::lighting, s.lighting.enabled);
+    for (int i = 0; i < LIGHT_COUNT; ++i)
+        visit(GL_LIGHT0 + i, GL_LIGHTING_BIT, Renderer::lighting, s.lighting.lights[i].enabled);
+    visit(GL_COLOR_MATERIAL, GL_LIGHTING_BIT, Renderer::lighting, s.lighting.color_material);
+    visit(GL_NORMALIZE, GL_TRANSFORM_BIT, Renderer::lighting, s.transform.normalize);
+    visit(GL_RESCALE_NORMAL, GL_TRANSFORM_BIT, Renderer::lighting, s.transform.rescale_normal);
+    visit(GL_FOG, GL_FOG_BIT, Renderer::fragments, s.fog.enabled);
+    visit(GL_COLOR_SUM, GL_FOG_BIT, Renderer::lighting, s.lighting.color_sum);
+    visit(GL_CULL_FACE, GL_POLYGON_BIT, Renderer::pipeline, s.raster.cull_face);
+    visit(GL_POLYGON_OFFSET_FILL, GL_POLYGON_BIT, Renderer::pipeline, s.raster.polygon_offset_fill);
+    visit(GL_POLYGON_OFFSET_LINE, GL_POLYGON_BIT, Renderer::pipeline, s.raster.polygon_offset_line);
+    visit(GL_POLYGON_OFFSET_POINT, GL_POLYGON_BIT, Renderer::pipeline, s.raster.polygon_offset_point);
+    visit(GL_DEPTH_TEST, GL_DEPTH_BUFFER_BIT, Renderer::pipeline, s.fragment.depth_test);
+    visit(GL_STENCIL_TEST, GL_STENCIL_BUFFER_BIT, Renderer::pipeline, s.fragment.stencil.enabled);
+    visit(GL_SCISSOR_TEST, GL_SCISSOR_BIT, Renderer::pipeline, s.fragment.scissor_test);
+    visit(GL_ALPHA_TEST, GL_COLOR_BUFFER_BIT, Renderer::fragments, s.fragment.alpha_test);
+    visit(GL_BLEND, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.blend.enabled);
+    visit(GL_DITHER, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.dither);
+    // A target has one sample a pixel: these are kept and change nothing.
+    visit(GL_MULTISAMPLE, GL_MULTISAMPLE_BIT, 0u, s.multisample.enabled);
+    visit(GL_SAMPLE_ALPHA_TO_COVERAGE, GL_MULTISAMPLE_BIT, 0u, s.multisample.alpha_to_coverage);
+    visit(GL_SAMPLE_ALPHA_TO_ONE, GL_MULTISAMPLE_BIT, 0u, s.multisample.alpha_to_one);
+    visit(GL_SAMPLE_COVERAGE, GL_MULTISAMPLE_BIT, 0u, s.multisample.coverage);
+}
+
 /// Something that glEnable switches: where its flag is, and what a draw must look at again.
 struct Capability
 {
-    bool* flag; ///< Null: not a capability.
-    std::uint32_t change;
+    bool* flag = nullptr; ///< Null: not a capability.
+    std::uint32_t change = 0;
 };
 
-/// Finds a capability; the one table that glEnable, glDisable and glIsEnabled read.
+/// Finds a capability by its name; those of textures are the active unit's.
 inline Capability find_capability(State& state, GLenum capability)
 {
-    LightingState& lighting = state.lighting;
-    if (capability >= GL_LIGHT0 && capability < GL_LIGHT0 + LIGHT_COUNT)
-        return {&lighting.lights[capability - GL_LIGHT0].enabled, Renderer::lighting};
-    switch (capability) {
-    case GL_LIGHTING:
-        return {&lighting.enabled, Renderer::lighting};
-    case GL_COLOR_MATERIAL:
-        return {&lighting.color_material, Renderer::lighting};
-    case GL_NORMALIZE:
-        return {&state.transform.normalize, Renderer::lighting};
-    case GL_RESCALE_NORMAL:
-        return {&state.transform.rescale_normal, Renderer::lighting};
-    case GL_TEXTURE_1D:
-    case GL_TEXTURE_2D:
-        return {&state.texturing.unit().enabled[capability - GL_TEXTURE_1D], Renderer::texturing};
-    case GL_TEXTURE_GEN_S:
-    case GL_TEXTURE_GEN_T:
-    case GL_TEXTURE_GEN_R:
-    case GL_TEXTURE_GEN_Q:
-        return {&state.texturing.unit().generation[capability - GL_TEXTURE_GEN_S].enabled,
-                Renderer::texturing};
-    case GL_FOG:
-        return {&state.fog.enabled, Renderer::fragments};
-    case GL_COLOR_SUM:
-        return {&state.lighting.color_sum, Renderer::lighting};
-    case GL_CULL_FACE:
-        return {&state.raster.cull_face, Renderer::pipeline};
-    case GL_DEPTH_TEST:
-        return {&state.fragment.depth_test, Renderer::pipeline};
-    case GL_BLEND:
-        return {&state.fragment.blend.enabled, Renderer::pipeline};
-    case GL_SCISSOR_TEST:
-        return {&state.fragment.scissor_test, Renderer::pipeline};
-    case GL_STENCIL_TEST:
-        return {&state.fragment.stencil.enabled, Renderer::pipeline};
-    case GL_ALPHA_TEST:
-        return {&state.fragment.alpha_test, Renderer::fragments};
-    case GL_POLYGON_OFFSET_FILL:
-        return {&state.raster.polygon_offset_fill, Renderer::pipeline};
-    case GL_POLYGON_OFFSET_LINE:
-        return {&state.raster.polygon_offset_line, Renderer::pipeline};
-    case GL_POLYGON_OFFSET_POINT:
-        return {&state.raster.polygon_offset_point, Renderer::pipeline};
-    case GL_DITHER:
-        return {&state.fragment.dither, Renderer::pipeline};
-    default:
-        return {nullptr, 0};
-    }
+    Capability found;
+    const auto look = [&](GLenum name, GLbitfield, std::uint32_t change, bool& flag) {
+        if (name == capability)
+            found = {&flag, change};
+    };
+    visit_capabilities(state, look);
+    visit_unit_capabilities(state.texturing.unit(), look);
+    return found;
 }
 
 } // namespace legacygl

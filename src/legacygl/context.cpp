@@ -1,12 +1,6 @@
 #include "legacygl/context.h"
 
 namespace legacygl {
-namespace {
-
-constexpr int MAXIMUM_LIST_NESTING = 64;
-
-} // namespace
-
 Context* current_context = nullptr;
 
 Context::Context(std::unique_ptr<Backend> made, int w, int h)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "legacygl/attribute_stack.h"
 #include "legacygl/backend/backend.h"
 #include "legacygl/capture.h"
 #include "legacygl/display_list.h"
@@ -12,8 +13,12 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace legacygl {
+
+/// How deep lists may call lists.
+constexpr int MAXIMUM_LIST_NESTING = 64;
 
 /// One OpenGL: its state, its lists, and what draws for it.
 struct Context
@@ -28,9 +33,10 @@ struct Context
     VertexAssembler immediate{state.current, VertexAssembler::Use::immediate};
     Renderer renderer;
     ListStore lists;
-    std::optional<ListCompiler> compiler; ///< Between glNewList and glEndList.
-    GLuint list_base = 0;
-    int list_depth = 0; ///< How many lists are being called.
+    std::optional<ListCompiler> compiler;                 ///< Between glNewList and glEndList.
+    std::vector<SavedAttributes> attributes;              ///< Of glPushAttrib.
+    std::vector<SavedClientAttributes> client_attributes; ///< Of glPushClientAttrib.
+    int list_depth = 0;                                   ///< How many lists are being called.
     Capture capture;
     int width;
     int height;

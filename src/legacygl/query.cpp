@@ -1,173 +1,217 @@
 #include "legacygl/query.h"
 
 #include "legacygl/capabilities.h"
+#include "legacygl/client_array_names.h"
 #include "legacygl/context.h"
-
-#include <span>
+#include "legacygl/state_variables.h"
 
 namespace legacygl {
 namespace {
 
-QueryValue make(QueryValue::Kind kind, std::span<const float> values)
+using Kind = QueryValue::Kind;
+
+/// What never changes (OpenGL 1.5, tables 6.31 to 6.36).
+struct Constant
 {
-    QueryValue out{kind, static_cast<int>(values.size()), {}};
-    for (std::size_t i = 0; i < values.size(); ++i)
-        out.values[i] = static_cast<double>(values[i]);
+    GLenum name;
+    QueryValue::Kind kind;
+    double value;
+};
+
+constexpr Constant CONSTANTS[] = {
+    {GL_MAX_LIGHTS, Kind::integer, LIGHT_COUNT},
+    {GL_MAX_LIST_NESTING, Kind::integer, MAXIMUM_LIST_NESTING},
+    {GL_MAX_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
+    {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
+    {GL_MAX_TEXTURE_SIZE, Kind::integer, MAXIMUM_TEXTURE_SIZE},
+    {GL_MAX_TEXTURE_UNITS, Kind::integer, TEXTURE_UNIT_COUNT},
+    {GL_MAX_ELEMENTS_INDICES, Kind::integer, 65536},
+    {GL_MAX_ELEMENTS_VERTICES, Kind::integer, 65536},
+    {GL_NUM_COMPRESSED_TEXTURE_FORMATS, Kind::integer, 0},
+    {GL_SUBPIXEL_BITS, Kind::integer, 4},
+    {GL_AUX_BUFFERS, Kind::integer, 0},
+    {GL_RGBA_MODE, Kind::boolean, 1},
+    {GL_INDEX_MODE, Kind::boolean, 0},
+    {GL_STEREO, Kind::boolean, 0},
+    {GL_SAMPLE_BUFFERS, Kind::integer, 0},
+    {GL_SAMPLES, Kind::integer, 0},
+    {GL_INDEX_BITS, Kind::integer, 0},
+    {GL_RED_BITS, Kind::integer, 8},
+    {GL_GREEN_BITS, Kind::integer, 8},
+    {GL_BLUE_BITS, Kind::integer, 8},
+    {GL_ALPHA_BITS, Kind::integer, 8},
+    {GL_DEPTH_BITS, Kind::integer, 24},
+    {GL_STENCIL_BITS, Kind::integer, 8},
+    {GL_ACCUM_RED_BITS, Kind::integer, 0},
+    {GL_ACCUM_GREEN_BITS, Kind::integer, 0},
+    {GL_ACCUM_BLUE_BITS, Kind::integer, 0},
+    {GL_ACCUM_ALPHA_BITS, Kind::integer, 0},
+    {GL_RENDER_MODE, Kind::integer, GL_RENDER},
+};
+
+QueryValue matrix(const MatrixStack& stack, bool transposed = false)
+{
+    QueryValue out{Kind::real, 0};
+    out.count = 16;
+    for (int i = 0; i < 16; ++i)
+        out.values[i] = static_cast<double>(stack.top().values()[transposed ? i % 4 * 4 + i / 4 : i]);
     return out;
 }
 
-QueryValue integer(double value)
+QueryValue query_transform(const State& s, GLenum name)
 {
-    return {QueryValue::Kind::integer, 1, {value}};
-}
-
-QueryValue boolean(bool value)
-{
-    return {QueryValue::Kind::boolean, 1, {value ? 1.0 : 0.0}};
-}
-
-QueryValue real(float value)
-{
-    return make(QueryValue::Kind::real, {&value, 1});
-}
-
-QueryValue color(const glm::vec4& v)
-{
-    return make(QueryValue::Kind::normalized, {&v.x, 4});
-}
-
-QueryValue matrix(const MatrixStack& stack)
-{
-    return make(QueryValue::Kind::real, {stack.top().values(), 16});
-}
-
-} // namespace
-
-QueryValue query(const Context& gl, GLenum name)
-{
-    using Kind = QueryValue::Kind;
-    const State& s = gl.state;
+    const TransformState& transform = s.transform;
+    const MatrixStack& texture = transform.texture[s.texturing.active];
+    const auto size = [](std::size_t n) { return QueryValue::integer(static_cast<double>(n)); };
     switch (name) {
     case GL_MODELVIEW_MATRIX:
-        return matrix(s.transform.modelview);
+        return matrix(transform.modelview);
     case GL_PROJECTION_MATRIX:
-        return matrix(s.transform.projection);
+        return matrix(transform.projection);
     case GL_TEXTURE_MATRIX:
-        return matrix(s.transform.texture[s.texturing.active]);
+        return matrix(texture);
+    case GL_TRANSPOSE_MODELVIEW_MATRIX:
+        return matrix(transform.modelview, true);
+    case GL_TRANSPOSE_PROJECTION_MATRIX:
+        return matrix(transform.projection, true);
+    case GL_TRANSPOSE_TEXTURE_MATRIX:
+        return matrix(texture, true);
     case GL_MODELVIEW_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.modelview.depth()));
+        return size(transform.modelview.depth());
     case GL_PROJECTION_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.projection.depth()));
+        return size(transform.projection.depth());
     case GL_TEXTURE_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.texture[s.texturing.active].depth()));
+        return size(texture.depth());
     case GL_MAX_MODELVIEW_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.modelview.capacity()));
+        return size(transform.modelview.capacity());
     case GL_MAX_PROJECTION_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.projection.capacity()));
+        return size(transform.projection.capacity());
     case GL_MAX_TEXTURE_STACK_DEPTH:
-        return integer(static_cast<double>(s.transform.texture[0].capacity()));
-    case GL_MATRIX_MODE:
-        return integer(s.transform.matrix_mode);
-    case GL_VIEWPORT: {
-        QueryValue out{Kind::integer, 4, {}};
-        for (int i = 0; i < 4; ++i)
-            out.values[i] = s.transform.viewport[i];
-        return out;
+        return size(texture.capacity());
+    default:
+        return {};
     }
-    case GL_DEPTH_RANGE:
-        return make(Kind::normalized, s.transform.depth_range);
-    case GL_CURRENT_COLOR:
-        return color(s.current[index_of(Attribute::color)]);
-    case GL_CURRENT_NORMAL:
-        return make(Kind::normalized, {&s.current[index_of(Attribute::normal)].x, 3});
-    case GL_CURRENT_TEXTURE_COORDS:
-        return make(Kind::real, {&s.current[index_of(texture_coordinate(s.texturing.active))].x, 4});
-    case GL_SHADE_MODEL:
-        return integer(s.lighting.shade_model);
-    case GL_LIGHT_MODEL_AMBIENT:
-        return color(s.lighting.model_ambient);
-    case GL_LIGHT_MODEL_LOCAL_VIEWER:
-        return boolean(s.lighting.local_viewer);
-    case GL_LIGHT_MODEL_TWO_SIDE:
-        return boolean(s.lighting.two_side);
+}
+
+QueryValue query_variable(State& s, GLenum name)
+{
+    QueryValue out;
+    visit_variables(s, [&](GLenum n, GLbitfield, const StateField& field) {
+        if (n == name && n != 0)
+            out = QueryValue(field);
+    });
+    return out;
+}
+
+QueryValue query_array(const Context& gl, GLenum name)
+{
+    for (const ClientArrayNames& names : CLIENT_ARRAY_NAMES) {
+        const ClientArray& array = *gl.client_arrays.find(names.array, gl.state.texturing.client_active);
+        if (name == names.array)
+            return QueryValue::boolean(array.enabled);
+        if (name == names.size)
+            return QueryValue::integer(array.size);
+        if (name == names.type)
+            return QueryValue::integer(array.type);
+        if (name == names.stride)
+            return QueryValue::integer(array.stride);
+        if (name == names.buffer)
+            return QueryValue::integer(array.buffer_name);
+    }
+    return {};
+}
+
+/// What is computed, or depends on a selector.
+QueryValue query_other(const Context& gl, GLenum name)
+{
+    const State& s = gl.state;
+    const auto integer = [](auto value) { return QueryValue::integer(static_cast<double>(value)); };
+    switch (name) {
+    case GL_CURRENT_TEXTURE_COORDS: {
+        glm::vec4 coordinates = s.current[index_of(texture_coordinate(s.texturing.active))];
+        return QueryValue(StateField(coordinates));
+    }
     case GL_LIGHT_MODEL_COLOR_CONTROL:
         return integer(s.lighting.separate_specular ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-    case GL_COLOR_MATERIAL_FACE:
-        return integer(s.lighting.color_material_face);
-    case GL_COLOR_MATERIAL_PARAMETER:
-        return integer(s.lighting.color_material_mode);
-    case GL_MAX_LIGHTS:
-        return integer(LIGHT_COUNT);
-    case GL_TEXTURE_BINDING_2D:
-        return integer(s.texturing.unit().bound[1]);
-    case GL_MAX_TEXTURE_SIZE:
-        return integer(2048);
-    case GL_CULL_FACE_MODE:
-        return integer(s.raster.cull_face_mode);
-    case GL_FRONT_FACE:
-        return integer(s.raster.front_face);
-    case GL_LINE_WIDTH:
-        return real(s.raster.line_width);
-    case GL_POINT_SIZE:
-        return real(s.raster.point_size);
-    case GL_DEPTH_FUNC:
-        return integer(s.fragment.depth_func);
-    case GL_DEPTH_WRITEMASK:
-        return boolean(s.fragment.depth_mask);
-    case GL_DEPTH_CLEAR_VALUE:
-        return make(Kind::normalized, {&s.fragment.clear_depth, 1});
-    case GL_STENCIL_CLEAR_VALUE:
-        return integer(s.fragment.clear_stencil);
-    case GL_COLOR_CLEAR_VALUE:
-        return color(s.fragment.clear_color);
     case GL_BLEND_SRC:
         return integer(s.fragment.blend.source_rgb);
     case GL_BLEND_DST:
         return integer(s.fragment.blend.destination_rgb);
-    case GL_COLOR_WRITEMASK: {
-        QueryValue out{Kind::boolean, 4, {}};
-        for (int i = 0; i < 4; ++i)
-            out.values[i] = s.fragment.color_mask[i] ? 1 : 0;
-        return out;
-    }
+    case GL_ACTIVE_TEXTURE:
+        return integer(GL_TEXTURE0 + s.texturing.active);
+    case GL_CLIENT_ACTIVE_TEXTURE:
+        return integer(GL_TEXTURE0 + s.texturing.client_active);
+    case GL_TEXTURE_BINDING_1D:
+        return integer(s.texturing.unit().bound[0]);
+    case GL_TEXTURE_BINDING_2D:
+        return integer(s.texturing.unit().bound[1]);
+    case GL_ARRAY_BUFFER_BINDING:
+        return integer(gl.client_arrays.bound_array_buffer);
+    case GL_ELEMENT_ARRAY_BUFFER_BINDING:
+        return integer(gl.client_arrays.bound_element_buffer);
     case GL_LIST_MODE:
         return integer(gl.compiler ? (gl.compiler->executes() ? GL_COMPILE_AND_EXECUTE : GL_COMPILE) : 0);
     case GL_LIST_INDEX:
         return integer(gl.compiler ? gl.compiler->name() : 0);
-    case GL_LIST_BASE:
-        return integer(gl.list_base);
-    case GL_MAX_LIST_NESTING:
-        return integer(64);
-    case GL_PACK_SWAP_BYTES:
-        return boolean(s.pack.swap_bytes);
-    case GL_PACK_LSB_FIRST:
-        return boolean(s.pack.lsb_first);
-    case GL_PACK_ROW_LENGTH:
-        return integer(s.pack.row_length);
-    case GL_PACK_SKIP_ROWS:
-        return integer(s.pack.skip_rows);
-    case GL_PACK_SKIP_PIXELS:
-        return integer(s.pack.skip_pixels);
-    case GL_UNPACK_SWAP_BYTES:
-        return boolean(s.unpack.swap_bytes);
-    case GL_UNPACK_LSB_FIRST:
-        return boolean(s.unpack.lsb_first);
-    case GL_UNPACK_ROW_LENGTH:
-        return integer(s.unpack.row_length);
-    case GL_UNPACK_SKIP_ROWS:
-        return integer(s.unpack.skip_rows);
-    case GL_UNPACK_SKIP_PIXELS:
-        return integer(s.unpack.skip_pixels);
-    case GL_PACK_ALIGNMENT:
-        return integer(s.pack.alignment);
-    case GL_UNPACK_ALIGNMENT:
-        return integer(s.unpack.alignment);
+    case GL_ATTRIB_STACK_DEPTH:
+        return integer(gl.attributes.size());
+    case GL_CLIENT_ATTRIB_STACK_DEPTH:
+        return integer(gl.client_attributes.size());
     default:
         break;
     }
-    // The table of capabilities serves reading and writing; nothing is written here.
-    const Capability found = find_capability(const_cast<State&>(s), name);
-    return found.flag ? boolean(*found.flag) : QueryValue{};
+    for (const Constant& constant : CONSTANTS)
+        if (constant.name == name)
+            return {constant.kind, constant.value};
+    return {};
+}
+
+} // namespace
+
+QueryValue::QueryValue(const StateField& field) : count(field.count)
+{
+    const auto take = [&](auto type, Kind k) {
+        kind = k;
+        for (int i = 0; i < count; ++i)
+            values[i] = static_cast<double>(static_cast<const decltype(type)*>(field.data)[i]);
+    };
+    switch (field.kind) {
+    case StateField::Kind::boolean:
+        take(bool{}, Kind::boolean);
+        break;
+    case StateField::Kind::signed_integer:
+        take(GLint{}, Kind::integer);
+        break;
+    case StateField::Kind::unsigned_integer:
+        take(GLuint{}, Kind::integer);
+        break;
+    case StateField::Kind::real:
+        take(GLfloat{}, Kind::real);
+        break;
+    case StateField::Kind::fraction:
+        take(GLfloat{}, Kind::fraction);
+        break;
+    case StateField::Kind::double_fraction:
+        take(GLdouble{}, Kind::fraction);
+        break;
+    case StateField::Kind::opaque:
+        break;
+    }
+}
+
+QueryValue query(const Context& gl, GLenum name)
+{
+    // The tables serve reading and writing; nothing is written here.
+    State& state = const_cast<State&>(gl.state);
+    if (const QueryValue value = query_transform(state, name); value.count != 0)
+        return value;
+    if (const QueryValue value = query_variable(state, name); value.count != 0)
+        return value;
+    if (const Capability found = find_capability(state, name); found.flag)
+        return QueryValue::boolean(*found.flag);
+    if (const QueryValue value = query_array(gl, name); value.count != 0)
+        return value;
+    return query_other(gl, name);
 }
 
 } // namespace legacygl

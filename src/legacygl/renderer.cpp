@@ -65,7 +65,7 @@ TextureId Renderer::texture(Texture& texture)
         texture.object.set(backend_, backend_.create_texture());
     const TextureId id = texture.object.id();
     if (made || texture.images_changed) {
-        const bool generated = texture.generate_mipmap;
+        const bool generated = texture.parameters.generate_mipmap;
         const std::size_t levels = generated ? 1 : texture.levels.size();
         for (std::size_t level = 0; level < levels; ++level) {
             const TextureImage& image = texture.levels[level];
@@ -77,7 +77,7 @@ TextureId Renderer::texture(Texture& texture)
         texture.images_changed = false;
     }
     if (made || texture.sampling_changed) {
-        backend_.sampling(id, texture.sampling);
+        backend_.sampling(id, texture.parameters.sampling);
         texture.sampling_changed = false;
     }
     return id;
@@ -164,8 +164,9 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
 void Renderer::clear(const State& state, GLbitfield buffers)
 {
     const FragmentState& fragment = state.fragment;
-    backend_.clear(make_pipeline(state),
-                   {buffers, fragment.clear_color, fragment.clear_depth, fragment.clear_stencil});
+    backend_.clear(
+        make_pipeline(state),
+        {buffers, fragment.clear_color, static_cast<GLfloat>(fragment.clear_depth), fragment.clear_stencil});
 }
 
 void Renderer::forget_objects()

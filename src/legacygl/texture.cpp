@@ -21,8 +21,18 @@ TexturingState::TexturingState()
 
 Texture& TexturingState::bound(const TextureUnit& of, TextureTarget target) const
 {
-    const GLuint name = of.bound[static_cast<int>(target)];
-    return name == 0 ? *defaults[static_cast<int>(target)] : *textures.at(name);
+    const int index = static_cast<int>(target);
+    return *named(index, of.bound[index]);
+}
+
+Texture* TexturingState::named(int target, GLuint name) const
+{
+    if (name == 0)
+        return defaults[target].get();
+    const auto found = textures.find(name);
+    const bool there = found != textures.end() && found->second &&
+                       found->second->target == static_cast<GLenum>(GL_TEXTURE_1D + target);
+    return there ? found->second.get() : nullptr;
 }
 
 Texture* TexturingState::used(const TextureUnit& of) const
@@ -40,8 +50,9 @@ bool Texture::complete() const
 {
     if (levels.empty() || levels[0].width == 0 || levels[0].height == 0)
         return false;
-    const bool mipmapped = sampling.minify != GL_NEAREST && sampling.minify != GL_LINEAR;
-    if (!mipmapped || generate_mipmap)
+    const GLenum minify = parameters.sampling.minify;
+    const bool mipmapped = minify != GL_NEAREST && minify != GL_LINEAR;
+    if (!mipmapped || parameters.generate_mipmap)
         return true;
     int width = levels[0].width, height = levels[0].height;
     for (std::size_t level = 1; width > 1 || height > 1; ++level) {

@@ -2,6 +2,7 @@
 
 #define GL_GLEXT_PROTOTYPES
 #include "legacygl/array_reader.h"
+#include "legacygl/client_array_names.h"
 #include "legacygl/dispatch.h"
 
 #include <cstring>
@@ -13,27 +14,7 @@ namespace {
 /// Returns the array that a client capability names, or null.
 ClientArray* find_array(Context& gl, GLenum name)
 {
-    ClientArrays& arrays = gl.client_arrays;
-    switch (name) {
-    case GL_VERTEX_ARRAY:
-        return &arrays.of(Attribute::position);
-    case GL_NORMAL_ARRAY:
-        return &arrays.of(Attribute::normal);
-    case GL_COLOR_ARRAY:
-        return &arrays.of(Attribute::color);
-    case GL_SECONDARY_COLOR_ARRAY:
-        return &arrays.of(Attribute::secondary_color);
-    case GL_FOG_COORDINATE_ARRAY:
-        return &arrays.of(Attribute::fog_coordinate);
-    case GL_TEXTURE_COORD_ARRAY:
-        return &arrays.of(texture_coordinate(gl.state.texturing.client_active));
-    case GL_EDGE_FLAG_ARRAY:
-        return &arrays.of(OtherArray::edge_flag);
-    case GL_INDEX_ARRAY:
-        return &arrays.of(OtherArray::index);
-    default:
-        return nullptr;
-    }
+    return gl.client_arrays.find(name, gl.state.texturing.client_active);
 }
 
 void enable_array(const char* entry, GLenum name, bool enabled)
@@ -342,17 +323,9 @@ void glGetPointerv(GLenum pname, GLvoid** params)
     dispatch_now(
         __func__,
         [params](Context& gl, GLenum name) {
-            constexpr GLenum pairs[][2] = {{GL_VERTEX_ARRAY_POINTER, GL_VERTEX_ARRAY},
-                                           {GL_NORMAL_ARRAY_POINTER, GL_NORMAL_ARRAY},
-                                           {GL_COLOR_ARRAY_POINTER, GL_COLOR_ARRAY},
-                                           {GL_SECONDARY_COLOR_ARRAY_POINTER, GL_SECONDARY_COLOR_ARRAY},
-                                           {GL_FOG_COORDINATE_ARRAY_POINTER, GL_FOG_COORDINATE_ARRAY},
-                                           {GL_TEXTURE_COORD_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY},
-                                           {GL_EDGE_FLAG_ARRAY_POINTER, GL_EDGE_FLAG_ARRAY},
-                                           {GL_INDEX_ARRAY_POINTER, GL_INDEX_ARRAY}};
-            for (const auto& pair : pairs)
-                if (pair[0] == name) {
-                    *params = const_cast<void*>(find_array(gl, pair[1])->pointer);
+            for (const ClientArrayNames& names : CLIENT_ARRAY_NAMES)
+                if (names.pointer == name) {
+                    *params = const_cast<void*>(find_array(gl, names.array)->pointer);
                     return;
                 }
             gl.set_error(GL_INVALID_ENUM);

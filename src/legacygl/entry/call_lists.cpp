@@ -75,7 +75,7 @@ void call_lists(Context& gl, GLsizei count, GLenum type, const Blob& names)
         return gl.set_error(GL_INVALID_ENUM);
     const auto* bytes = static_cast<const std::uint8_t*>(names.data);
     for (GLsizei i = 0; i < count; ++i)
-        gl.call_list(gl.list_base + read_name(type, bytes + static_cast<std::size_t>(i) * size));
+        gl.call_list(gl.state.list_base + read_name(type, bytes + static_cast<std::size_t>(i) * size));
 }
 
 } // namespace
@@ -91,7 +91,7 @@ void glCallLists(GLsizei n, GLenum type, const GLvoid* lists)
 void glListBase(GLuint base)
 {
     dispatch(
-        __func__, [](Context& gl, GLuint b) { gl.list_base = b; }, base);
+        __func__, [](Context& gl, GLuint b) { gl.state.list_base = b; }, base);
 }
 
 } // extern "C"

@@ -20,6 +20,28 @@ void set_capability(Context& gl, GLenum capability, bool enabled)
     gl.renderer.changed(found.change);
 }
 
+GLenum* find_hint(HintState& hints, GLenum target)
+{
+    switch (target) {
+    case GL_PERSPECTIVE_CORRECTION_HINT:
+        return &hints.perspective_correction;
+    case GL_POINT_SMOOTH_HINT:
+        return &hints.point_smooth;
+    case GL_LINE_SMOOTH_HINT:
+        return &hints.line_smooth;
+    case GL_POLYGON_SMOOTH_HINT:
+        return &hints.polygon_smooth;
+    case GL_FOG_HINT:
+        return &hints.fog;
+    case GL_GENERATE_MIPMAP_HINT:
+        return &hints.generate_mipmap;
+    case GL_TEXTURE_COMPRESSION_HINT:
+        return &hints.texture_compression;
+    default:
+        return nullptr;
+    }
+}
+
 } // namespace
 
 extern "C" {
@@ -36,16 +58,15 @@ void glDisable(GLenum cap)
         __func__, [](Context& gl, GLenum c) { set_capability(gl, c, false); }, cap);
 }
 
-/// Nothing here is quicker for being worse: a hint is checked and has no effect.
 void glHint(GLenum target, GLenum mode)
 {
     dispatch(
         __func__,
         [](Context& gl, GLenum t, GLenum m) {
-            const bool is_target = (t >= GL_PERSPECTIVE_CORRECTION_HINT && t <= GL_FOG_HINT) ||
-                                   t == GL_GENERATE_MIPMAP_HINT || t == GL_TEXTURE_COMPRESSION_HINT;
-            if (!is_target || m < GL_DONT_CARE || m > GL_NICEST)
-                gl.set_error(GL_INVALID_ENUM);
+            GLenum* hint = find_hint(gl.state.hints, t);
+            if (!hint || m < GL_DONT_CARE || m > GL_NICEST)
+                return gl.set_error(GL_INVALID_ENUM);
+            *hint = m;
         },
         target, mode);
 }

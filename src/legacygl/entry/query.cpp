@@ -16,8 +16,8 @@ template <class T> T convert(QueryValue::Kind kind, double value)
         return value != 0 ? GL_TRUE : GL_FALSE;
     else if constexpr (std::is_same_v<T, GLint>)
         // A fraction is spread over all integers, the greatest for 1 (OpenGL 1.5, 6.1.2).
-        return kind == QueryValue::Kind::normalized ? static_cast<GLint>(value * 2147483647.0)
-                                                    : static_cast<GLint>(std::lround(value));
+        return kind == QueryValue::Kind::fraction ? static_cast<GLint>(value * 2147483647.0)
+                                                  : static_cast<GLint>(std::lround(value));
     else
         return static_cast<T>(value);
 }

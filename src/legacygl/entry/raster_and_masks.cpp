@@ -128,10 +128,7 @@ void glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha)
 void glClearDepth(GLclampd depth)
 {
     dispatch(
-        __func__,
-        [](Context& gl, double d) {
-            gl.state.fragment.clear_depth = static_cast<float>(std::clamp(d, 0.0, 1.0));
-        },
+        __func__, [](Context& gl, double d) { gl.state.fragment.clear_depth = std::clamp(d, 0.0, 1.0); },
         depth);
 }
 

@@ -11,8 +11,6 @@ using namespace legacygl;
 
 namespace {
 
-constexpr int MAXIMUM_TEXTURE_SIZE = 2048; // WebGL 2's least.
-
 using Values = std::array<float, 4>;
 
 bool is_target(GLenum target)
@@ -75,18 +73,18 @@ void set_parameter(Context& gl, GLenum target, GLenum name, const Values& v)
     gl.renderer.changed(Renderer::texturing);
     switch (name) {
     case GL_TEXTURE_MIN_FILTER:
-        return set(texture.sampling.minify, is_minify_filter(value));
+        return set(texture.parameters.sampling.minify, is_minify_filter(value));
     case GL_TEXTURE_MAG_FILTER:
-        return set(texture.sampling.magnify, value == GL_NEAREST || value == GL_LINEAR);
+        return set(texture.parameters.sampling.magnify, value == GL_NEAREST || value == GL_LINEAR);
     case GL_TEXTURE_WRAP_S:
-        return set(texture.sampling.wrap_s, is_wrap_mode(value));
+        return set(texture.parameters.sampling.wrap_s, is_wrap_mode(value));
     case GL_TEXTURE_WRAP_T:
-        return set(texture.sampling.wrap_t, is_wrap_mode(value));
+        return set(texture.parameters.sampling.wrap_t, is_wrap_mode(value));
     case GL_TEXTURE_BORDER_COLOR:
-        texture.border_color = {v[0], v[1], v[2], v[3]};
+        texture.parameters.border_color = {v[0], v[1], v[2], v[3]};
         return;
     case GL_GENERATE_MIPMAP:
-        texture.generate_mipmap = v[0] != 0;
+        texture.parameters.generate_mipmap = v[0] != 0;
         return;
     default:
         gl.set_error(GL_INVALID_ENUM);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace legacygl {
@@ -54,6 +55,17 @@ struct ClientArrays
     ClientArray& of(Attribute attribute) { return arrays[index_of(attribute)]; }
     const ClientArray& of(Attribute attribute) const { return arrays[index_of(attribute)]; }
     ClientArray& of(OtherArray array) { return arrays[ATTRIBUTE_COUNT + static_cast<int>(array)]; }
+    const ClientArray& of(OtherArray array) const
+    {
+        return arrays[ATTRIBUTE_COUNT + static_cast<int>(array)];
+    }
+    /// Returns the array that glEnableClientState calls by that name, or null. client_unit: the unit whose
+    /// texture coordinates are meant.
+    const ClientArray* find(GLenum name, int client_unit) const;
+    ClientArray* find(GLenum name, int client_unit)
+    {
+        return const_cast<ClientArray*>(std::as_const(*this).find(name, client_unit));
+    }
 };
 
 inline ClientArrays::ClientArrays()
@@ -63,6 +75,30 @@ inline ClientArrays::ClientArrays()
     of(Attribute::fog_coordinate).size = 1;
     of(OtherArray::edge_flag) = {false, 1, GL_UNSIGNED_BYTE, 0, nullptr, 0, nullptr};
     of(OtherArray::index).size = 1;
+}
+
+inline const ClientArray* ClientArrays::find(GLenum name, int client_unit) const
+{
+    switch (name) {
+    case GL_VERTEX_ARRAY:
+        return &of(Attribute::position);
+    case GL_NORMAL_ARRAY:
+        return &of(Attribute::normal);
+    case GL_COLOR_ARRAY:
+        return &of(Attribute::color);
+    case GL_SECONDARY_COLOR_ARRAY:
+        return &of(Attribute::secondary_color);
+    case GL_FOG_COORDINATE_ARRAY:
+        return &of(Attribute::fog_coordinate);
+    case GL_TEXTURE_COORD_ARRAY:
+        return &of(texture_coordinate(client_unit));
+    case GL_EDGE_FLAG_ARRAY:
+        return &of(OtherArray::edge_flag);
+    case GL_INDEX_ARRAY:
+        return &of(OtherArray::index);
+    default:
+        return nullptr;
+    }
 }
 
 } // namespace legacygl

@@ -78,8 +78,9 @@ struct FragmentState
     bool depth_mask = true;
     std::array<bool, 4> color_mask{true, true, true, true};
     glm::vec4 clear_color{0, 0, 0, 0};
-    GLfloat clear_depth = 1;
+    GLdouble clear_depth = 1;
     GLint clear_stencil = 0;
+    glm::vec4 clear_accumulation{0, 0, 0, 0};
 };
 
 } // namespace legacygl

@@ -13,6 +13,8 @@
 
 namespace legacygl {
 
+constexpr int MAXIMUM_TEXTURE_SIZE = 2048; // WebGL 2's least.
+
 /// One mipmap level as it was given, converted to RGBA bytes; kept so that a lost context can be rebuilt.
 struct TextureImage
 {
@@ -23,15 +25,21 @@ struct TextureImage
     std::vector<std::uint8_t> rgba;
 };
 
+/// What glTexParameter sets (OpenGL 1.5, table 6.16).
+struct TextureParameters
+{
+    Sampling sampling;
+    glm::vec4 border_color{0, 0, 0, 0};
+    GLfloat priority = 1;
+    bool generate_mipmap = false;
+};
+
 /// A 1D or 2D texture (OpenGL 1.5, tables 6.15 and 6.16); a 1D texture is one texel high.
 struct Texture
 {
     GLenum target = GL_TEXTURE_2D;
     std::vector<TextureImage> levels;
-    Sampling sampling;
-    glm::vec4 border_color{0, 0, 0, 0};
-    GLfloat priority = 1;
-    bool generate_mipmap = false;
+    TextureParameters parameters;
 
     TextureObject object;         ///< The backend's texture, made at the first use.
     bool images_changed = true;   ///< The backend's images are not those of levels.
@@ -96,6 +104,9 @@ struct TexturingState
 
     TextureUnit& unit() { return units[active]; }
     const TextureUnit& unit() const { return units[active]; }
+    /// Returns the texture of that name, or the target's default one for 0; null: there is none for the
+    /// target (an index of TextureTarget).
+    Texture* named(int target, GLuint name) const;
     /// Returns the texture bound to a target of a unit.
     Texture& bound(const TextureUnit& unit, TextureTarget target) const;
     Texture& bound(TextureTarget target) const { return bound(unit(), target); }

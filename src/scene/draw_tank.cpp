@@ -1,6 +1,8 @@
 #include "scene/draw_tank.h"
 
 #include "scene/degrees.h"
+#include "scene/low_colours.h"
+#include "scene/scoped_state.h"
 
 #include <GL/gl.h>
 
@@ -8,27 +10,47 @@ namespace scene {
 
 void TankDrawing::draw_tank(float x, float y, float z) const
 {
+    draw_at(x, y, z, [this](tank::MeshKind mesh) { glCallList(lists_.list(mesh)); });
+}
+
+void TankDrawing::draw_tank_low(float x, float y, float z) const
+{
+    const Disabled lighting(GL_LIGHTING);
+    const Disabled texture(GL_TEXTURE_2D);
+    draw_at(x, y, z, [this](tank::MeshKind mesh) {
+        const Rgb colour = low_colour(mesh);
+        glColor3ub(colour.red, colour.green, colour.blue);
+        glCallList(lists_.low_list(mesh));
+    });
+    glColor3ub(255, 255, 255);
+}
+
+template <class DrawMesh>
+void TankDrawing::draw_at(float x, float y, float z, const DrawMesh& draw_mesh) const
+{
     glPushMatrix();
     glTranslatef(x, y, z);
-    draw_part(tank::Part::body);
+    draw_part(tank::Part::body, draw_mesh);
     glPopMatrix();
 }
 
-void TankDrawing::draw_part(tank::Part part) const
+template <class DrawMesh> void TankDrawing::draw_part(tank::Part part, const DrawMesh& draw_mesh) const
 {
     const tank::PartPlacement& placement = layout_[part];
     glPushMatrix();
     glTranslatef(placement.pivot.x, placement.pivot.y, placement.pivot.z);
     glRotatef(degrees(joints_[placement.joint]), placement.axis.x, placement.axis.y, placement.axis.z);
 
-    // The mesh lies in the joint's frame with a turn and a shift of its own, which no child inherits.
-    glPushMatrix();
-    glRotatef(degrees(placement.mesh_yaw), 0.0f, 1.0f, 0.0f);
-    glTranslatef(placement.mesh_offset.x, placement.mesh_offset.y, placement.mesh_offset.z);
-    glCallList(lists_.list(placement.mesh));
-    glPopMatrix();
+    if (parts_.contains(tank::index_of(part))) {
+        // The mesh lies in the joint's frame with a turn and a shift of its own, which no child inherits.
+        glPushMatrix();
+        glRotatef(degrees(placement.mesh_yaw), 0.0f, 1.0f, 0.0f);
+        glTranslatef(placement.mesh_offset.x, placement.mesh_offset.y, placement.mesh_offset.z);
+        draw_mesh(placement.mesh);
+        glPopMatrix();
+    }
 
-    tank::for_each_child(layout_, part, [this](tank::Part child) { draw_part(child); });
+    tank::for_each_child(layout_, part, [&](tank::Part child) { draw_part(child, draw_mesh); });
     glPopMatrix();
 }
 

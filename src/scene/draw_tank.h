@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collision/part_set.h"
 #include "scene/tank_lists.h"
 #include "tank/joint.h"
 #include "tank/layout.h"
@@ -7,25 +8,34 @@
 
 namespace scene {
 
-/// A tank as it is drawn: its parts' lists, where the parts hang, and how far each joint is turned.
+/// A tank as it is drawn: its parts' lists, where the parts hang, how far each joint is turned, and which
+/// parts are drawn, by index; what is not drawn carries its children all the same.
 /// Only looks at what it is made of, which must outlive it.
 class TankDrawing
 {
 public:
-    TankDrawing(const TankLists& lists, const tank::Layout& layout, const tank::JointAngles& joints)
-        : lists_(lists), layout_(layout), joints_(joints)
+    TankDrawing(const TankLists& lists, const tank::Layout& layout, const tank::JointAngles& joints,
+                collision::PartSet parts)
+        : lists_(lists), layout_(layout), joints_(joints), parts_(parts)
     {}
 
     /// Draws the tank with its body's pivot at (x, y, z), metres in the current modelview frame.
     /// Walks the tree of parts on the matrix stack, which is afterwards as it was.
     void draw_tank(float x, float y, float z) const;
 
+    /// Draws the low-detail tank in the same way, without light and texture, each mesh in its low_colour().
+    /// Call it where draw_tank is called, with GL_LIGHTING and GL_TEXTURE_2D on: they are on again
+    /// afterwards, and the current colour is white.
+    void draw_tank_low(float x, float y, float z) const;
+
 private:
-    void draw_part(tank::Part part) const;
+    template <class DrawMesh> void draw_at(float x, float y, float z, const DrawMesh& draw_mesh) const;
+    template <class DrawMesh> void draw_part(tank::Part part, const DrawMesh& draw_mesh) const;
 
     const TankLists& lists_;
     const tank::Layout& layout_;
     const tank::JointAngles& joints_;
+    collision::PartSet parts_;
 };
 
 } // namespace scene

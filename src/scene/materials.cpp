@@ -19,7 +19,7 @@ void use_tank_material()
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 24.0f);
 }
 
-void use_earth_material()
+void use_plain_material()
 {
     glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, BLACK);

@@ -2,7 +2,10 @@
 
 #include "scene/draw_tank.h"
 #include "scene/lights.h"
+#include "scene/markers.h"
 #include "scene/materials.h"
+#include "scene/scoped_state.h"
+#include "scene/spheres.h"
 #include "scene/texture.h"
 
 #include <numbers>
@@ -27,11 +30,12 @@ void set_camera(const app::CameraView& camera, int width, int height)
               camera.up.x, camera.up.y, camera.up.z);
 }
 
-/// Sets what no frame changes.
+/// Sets what no frame changes, and what each drawing finds: see scoped_state.h.
 void set_up_state()
 {
     glShadeModel(GL_SMOOTH);
-    glEnable(GL_NORMALIZE); // the lab's own meshes have normals of any length
+    glEnable(GL_NORMALIZE); // the lab's own meshes have normals of any length, and scaled spheres
+    glEnable(GL_DEPTH_TEST);
     glFrontFace(GL_CCW);
     glCullFace(GL_BACK);
     glDepthFunc(GL_LEQUAL);
@@ -63,7 +67,10 @@ std::string SceneRenderer::load(const app::Assets& assets)
     assets_ = &assets;
     set_up_state();
     texture_ = upload_texture(assets.texture);
-    const bool loaded = tank_lists_.load_tank_objs(assets.high) && surroundings_.load();
+    particle_drawing_.load();
+    const bool loaded = tank_lists_.load_tank_objs(assets.high) &&
+                        tank_lists_.load_low_detail_tank_objs(assets.low) && surroundings_.load() &&
+                        shapes_.load();
     const GLenum error = glGetError();
     if (loaded && error == GL_NO_ERROR) {
         return "";
@@ -78,24 +85,29 @@ void SceneRenderer::draw(const app::Frame& frame, int width, int height) const
     place_lights();
     surroundings_.draw_sky(frame.camera);
     if (frame.ground) {
-        use_earth_material();
         surroundings_.draw_ground(frame);
     }
     draw_tanks(frame);
+    draw_markers(frame, shapes_, height);
+    draw_spheres(frame, shapes_);
+    particle_drawing_.draw(frame, height);
 }
 
 void SceneRenderer::draw_tanks(const app::Frame& frame) const
 {
     use_tank_material();
-    glEnable(GL_LIGHTING);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    glEnable(GL_TEXTURE_2D);
+    const Enabled lighting(GL_LIGHTING);
+    const Enabled culling(GL_CULL_FACE);
+    const Enabled texture(GL_TEXTURE_2D);
     glBindTexture(GL_TEXTURE_2D, texture_);
     for (const app::TankInFrame& tank : frame.used_tanks()) {
-        TankDrawing(tank_lists_, assets_->layout, tank.joints)
-            .draw_tank(static_cast<float>(tank.position.x), static_cast<float>(tank.position.y),
-                       static_cast<float>(tank.position.z));
+        const TankDrawing drawing(tank_lists_, assets_->layout, tank.joints, frame.parts);
+        const glm::vec3 position(tank.position);
+        if (tank.level == app::Level::low) {
+            drawing.draw_tank_low(position.x, position.y, position.z);
+        } else {
+            drawing.draw_tank(position.x, position.y, position.z);
+        }
     }
 }
 

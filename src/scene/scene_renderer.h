@@ -2,6 +2,8 @@
 
 #include "app/assets.h"
 #include "app/frame.h"
+#include "scene/particle_drawing.h"
+#include "scene/shapes.h"
 #include "scene/surroundings.h"
 #include "scene/tank_lists.h"
 
@@ -23,8 +25,9 @@ public:
     /// Allocates nothing and compiles no list. Precondition: load() returned "".
     void draw(const app::Frame& frame, int width, int height) const;
 
-    /// Returns the display lists of the tank, for those who check what was drawn.
+    /// Returns the display lists of the tank and of spheres, for those who check what was drawn.
     const TankLists& tank_lists() const { return tank_lists_; }
+    const Shapes& shapes() const { return shapes_; }
 
 private:
     void draw_tanks(const app::Frame& frame) const;
@@ -33,6 +36,8 @@ private:
     unsigned texture_ = 0;
     TankLists tank_lists_;
     Surroundings surroundings_;
+    Shapes shapes_;
+    ParticleDrawing particle_drawing_;
 };
 
 } // namespace scene

@@ -2,6 +2,8 @@
 
 #include "scene/degrees.h"
 #include "scene/ground.h"
+#include "scene/materials.h"
+#include "scene/scoped_state.h"
 #include "scene/sky.h"
 
 #include <algorithm>
@@ -53,56 +55,44 @@ bool Surroundings::load()
 void Surroundings::draw_sky(const app::CameraView& camera) const
 {
     const double radius = 0.5 * (camera.near_plane + camera.far_plane); // any between would do
-    glDisable(GL_LIGHTING);
-    glDisable(GL_TEXTURE_2D);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    glPushMatrix();
+    const Disabled depth_test(GL_DEPTH_TEST);
+    const PushedMatrix matrix;
     glTranslated(camera.eye.x, camera.eye.y, camera.eye.z);
     glScaled(radius, radius, radius);
     glCallList(first_list_ + SKY);
-    glPopMatrix();
 }
 
 void Surroundings::draw_ground(const app::Frame& frame) const
 {
-    glDisable(GL_TEXTURE_2D);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-
-    // The haze is as far from the eye wherever it goes; of one colour, the earth can come along.
-    const double radius = 0.99 * frame.camera.far_plane;
-    glEnable(GL_LIGHTING);
-    glEnable(GL_COLOR_MATERIAL);
-    glPushMatrix();
-    glTranslated(frame.camera.eye.x, 0.0, frame.camera.eye.z);
-    glScaled(radius, 1.0, radius);
-    glCallList(first_list_ + EARTH);
-    glPopMatrix();
-    glDisable(GL_COLOR_MATERIAL);
-    glDisable(GL_LIGHTING);
-
+    const Blended blended;
+    draw_earth_under(frame.camera);
     draw_grids(frame);
     for (const app::TankInFrame& tank : frame.used_tanks()) {
-        glPushMatrix();
+        const PushedMatrix matrix;
         glTranslated(tank.position.x, tank.position.y, tank.position.z);
         glRotatef(degrees(tank.joints[tank::Joint::heading]), 0.0f, 1.0f, 0.0f);
         glCallList(first_list_ + CONTACT_SHADOW);
-        glPopMatrix();
     }
+}
 
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
+void Surroundings::draw_earth_under(const app::CameraView& camera) const
+{
+    // The haze is as far from the eye wherever it goes; of one colour, the earth can come along.
+    const double radius = 0.99 * camera.far_plane;
+    use_plain_material();
+    const Enabled lighting(GL_LIGHTING);
+    const Enabled colour_material(GL_COLOR_MATERIAL);
+    const PushedMatrix matrix;
+    glTranslated(camera.eye.x, 0.0, camera.eye.z);
+    glScaled(radius, 1.0, radius);
+    glCallList(first_list_ + EARTH);
 }
 
 void Surroundings::draw_grids(const app::Frame& frame) const
 {
     const glm::dvec3 offset = frame.camera.eye - frame.camera.centre;
     const double distance = std::sqrt(offset.x * offset.x + offset.y * offset.y + offset.z * offset.z);
-    glPushMatrix();
+    const PushedMatrix matrix;
     // Around what is looked at, but by whole lines: they stay where they are in the world.
     glTranslated(5.0 * std::round(frame.camera.centre.x / 5.0), 0.0,
                  5.0 * std::round(frame.camera.centre.z / 5.0));
@@ -112,7 +102,6 @@ void Surroundings::draw_grids(const app::Frame& frame) const
     for (int call = grid_calls(FIVE_METRE_GRID_FADE, distance); call > 0; --call) {
         glCallList(first_list_ + FIVE_METRE_GRID);
     }
-    glPopMatrix();
 }
 
 } // namespace scene

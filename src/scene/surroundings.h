@@ -20,6 +20,7 @@ public:
     void draw_ground(const app::Frame& frame) const;
 
 private:
+    void draw_earth_under(const app::CameraView& camera) const;
     void draw_grids(const app::Frame& frame) const;
 
     enum List : unsigned

@@ -2,12 +2,16 @@
 
 #include "fixtures.h"
 #include "recording_gl.h"
+#include "scene/low_colours.h"
 #include "tank/part_matrices.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <random>
+#include <set>
 
+#include <GL/gl.h>
 #include <gtest/gtest.h>
 
 namespace {
@@ -34,6 +38,11 @@ std::vector<Part> order_of(const tank::Layout& layout)
     return order;
 }
 
+collision::PartSet all_parts()
+{
+    return collision::PartSet((std::uint64_t{1} << tank::PART_COUNT) - 1);
+}
+
 class DrawTank : public ::testing::Test
 {
 protected:
@@ -41,12 +50,19 @@ protected:
     {
         recording_gl::reset();
         ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+        ASSERT_TRUE(lists.load_low_detail_tank_objs(scene_test::assets().low));
         recording_gl::take_calls();
     }
 
     std::vector<Call> draw(float x, float y, float z)
     {
-        scene::TankDrawing(lists, layout, joints).draw_tank(x, y, z);
+        scene::TankDrawing(lists, layout, joints, parts).draw_tank(x, y, z);
+        return recording_gl::take_calls();
+    }
+
+    std::vector<Call> draw_low(float x, float y, float z)
+    {
+        scene::TankDrawing(lists, layout, joints, parts).draw_tank_low(x, y, z);
         return recording_gl::take_calls();
     }
 
@@ -73,6 +89,7 @@ protected:
     scene::TankLists lists;
     tank::Layout layout = tank::default_layout();
     tank::JointAngles joints;
+    collision::PartSet parts = all_parts();
 };
 
 TEST_F(DrawTank, PutsEveryPartWherePartMatricesPutIt)
@@ -136,6 +153,66 @@ TEST_F(DrawTank, CallsOneListForEachPart)
     EXPECT_EQ(calls[lists.list(tank::MeshKind::main_gun)], 1);
     EXPECT_EQ(calls[lists.list(tank::MeshKind::secondary_gun)], 1);
     EXPECT_EQ(calls[lists.list(tank::MeshKind::wheel)], 14);
+}
+
+TEST_F(DrawTank, PutsTheLowTanksPartsWhereTheHighOnesAre)
+{
+    joints.radians = {0.3, -0.8, 0.2, 1.1, 2.0, -2.0};
+    const recording_gl::Replay high = recording_gl::replay(draw(1.0f, 0.5f, -3.5f));
+    const recording_gl::Replay low = recording_gl::replay(draw_low(1.0f, 0.5f, -3.5f));
+    const std::vector<Part> order = order_of(layout);
+    ASSERT_EQ(low.list_calls.size(), high.list_calls.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        EXPECT_EQ(low.list_calls[i].list, lists.low_list(layout[order[i]].mesh));
+        EXPECT_EQ(low.list_calls[i].modelview, high.list_calls[i].modelview);
+    }
+    EXPECT_EQ(low.final_stack_depth, 0u);
+    EXPECT_FALSE(low.popped_too_often);
+}
+
+TEST_F(DrawTank, DrawsTheLowTankUnlitUntexturedAndInOneColourAMesh)
+{
+    glEnable(GL_LIGHTING);
+    glEnable(GL_TEXTURE_2D);
+    const recording_gl::Replay low = recording_gl::replay(draw_low(0.0f, 0.0f, 0.0f));
+    const std::vector<Part> order = order_of(layout);
+    std::set<std::vector<double>> colours;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const recording_gl::ListCall& call = low.list_calls.at(i);
+        const scene::Rgb colour = scene::low_colour(layout[order[i]].mesh);
+        EXPECT_FALSE(call.is_enabled(GL_LIGHTING));
+        EXPECT_FALSE(call.is_enabled(GL_TEXTURE_2D));
+        EXPECT_EQ(call.settings.at("colour"), (std::vector<double>{double(colour.red), double(colour.green),
+                                                                   double(colour.blue), 255.0}));
+        colours.insert(call.settings.at("colour"));
+    }
+    EXPECT_EQ(colours.size(), tank::MESH_KIND_COUNT); // so that the parts can be told apart
+}
+
+TEST_F(DrawTank, LeavesLightTextureAndColourAsTheyWereAfterTheLowTank)
+{
+    glEnable(GL_LIGHTING);
+    glEnable(GL_TEXTURE_2D);
+    glColor3ub(255, 255, 255);
+    const std::vector<Call> before = recording_gl::calls();
+    const recording_gl::Replay after = recording_gl::replay(draw_low(0.0f, 0.0f, 0.0f));
+    EXPECT_EQ(after.final_enabled, recording_gl::replay(before).final_enabled);
+    EXPECT_EQ(after.final_settings, recording_gl::replay(before).final_settings);
+}
+
+TEST_F(DrawTank, DrawsOnlyThePartsAskedForAndWhereTheyHang)
+{
+    joints.radians = {0.3, -0.8, 0.2, 1.1, 2.0, -2.0};
+    const recording_gl::Replay all = recording_gl::replay(draw(0.0f, 0.0f, 0.0f));
+    const std::vector<Part> order = order_of(layout);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        parts = collision::PartSet(std::uint64_t{1} << tank::index_of(order[i]));
+        const recording_gl::Replay one = recording_gl::replay(draw(0.0f, 0.0f, 0.0f));
+        ASSERT_EQ(one.list_calls.size(), 1u);
+        EXPECT_EQ(one.list_calls[0].list, all.list_calls[i].list);
+        EXPECT_EQ(one.list_calls[0].modelview, all.list_calls[i].modelview);
+        EXPECT_EQ(one.final_stack_depth, 0u);
+    }
 }
 
 } // namespace

@@ -15,6 +15,7 @@ struct Recorder
     unsigned next_name = 1;
     unsigned compiled = 0;
     unsigned error = 0;
+    const unsigned char* array = nullptr; ///< of glInterleavedArrays
     bool list_names = true;
     bool on = true;
 };
@@ -24,7 +25,7 @@ Recorder recorder;
 void note(const char* name, std::initializer_list<double> arguments = {})
 {
     if (recorder.on) {
-        recorder.calls.push_back({name, arguments, recorder.compiled});
+        recorder.calls.push_back({name, arguments, recorder.compiled, {}});
     }
 }
 
@@ -100,6 +101,18 @@ void glColor3f(GLfloat r, GLfloat g, GLfloat b)
 {
     note("glColor3f", {number(r), number(g), number(b)});
 }
+void glVertex3d(GLdouble x, GLdouble y, GLdouble z)
+{
+    note("glVertex3d", {x, y, z});
+}
+void glColor3ub(GLubyte r, GLubyte g, GLubyte b)
+{
+    note("glColor3ub", {double(r), double(g), double(b)});
+}
+void glColor4ub(GLubyte r, GLubyte g, GLubyte b, GLubyte a)
+{
+    note("glColor4ub", {double(r), double(g), double(b), double(a)});
+}
 void glColor4f(GLfloat r, GLfloat g, GLfloat b, GLfloat a)
 {
     note("glColor4f", {number(r), number(g), number(b), number(a)});
@@ -164,6 +177,13 @@ void glScaled(GLdouble x, GLdouble y, GLdouble z)
 {
     note("glScale", {x, y, z});
 }
+void glMultMatrixd(const GLdouble* m)
+{
+    note("glMultMatrixd");
+    if (recorder.on) {
+        recorder.calls.back().arguments.assign(m, m + 16);
+    }
+}
 void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
     note("glViewport", {double(x), double(y), double(width), double(height)});
@@ -197,6 +217,10 @@ void glDepthMask(GLboolean flag)
 void glBlendFunc(GLenum source, GLenum destination)
 {
     note("glBlendFunc", {double(source), double(destination)});
+}
+void glLineWidth(GLfloat width)
+{
+    note("glLineWidth", {number(width)});
 }
 void glCullFace(GLenum mode)
 {
@@ -270,6 +294,47 @@ void glTexImage2D(GLenum, GLint level, GLint internal_format, GLsizei width, GLs
             recorder.calls.back().arguments.push_back(double(bytes[i]));
         }
     }
+}
+
+void glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer)
+{
+    note("glInterleavedArrays", {double(format), double(stride)});
+    recorder.array = static_cast<const unsigned char*>(pointer);
+}
+void glDisableClientState(GLenum array)
+{
+    note("glDisableClientState", {double(array)});
+}
+void glDrawArrays(GLenum mode, GLint first, GLsizei count)
+{
+    note("glDrawArrays", {double(mode), double(first), double(count)});
+    if (recorder.on) {
+        recorder.calls.back().arrays.assign(recorder.array + 24 * first,
+                                            recorder.array + 24 * (first + count));
+    }
+}
+
+GLUquadric* gluNewQuadric()
+{
+    static char quadric;
+    note("gluNewQuadric");
+    return reinterpret_cast<GLUquadric*>(&quadric);
+}
+void gluDeleteQuadric(GLUquadric*)
+{
+    note("gluDeleteQuadric");
+}
+void gluQuadricDrawStyle(GLUquadric*, GLenum style)
+{
+    note("gluQuadricDrawStyle", {double(style)});
+}
+void gluSphere(GLUquadric*, GLdouble radius, GLint slices, GLint stacks)
+{
+    note("gluSphere", {radius, double(slices), double(stacks)});
+}
+void gluCylinder(GLUquadric*, GLdouble base, GLdouble top, GLdouble height, GLint slices, GLint stacks)
+{
+    note("gluCylinder", {base, top, height, double(slices), double(stacks)});
 }
 
 GLenum glGetError()

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,9 @@ namespace recording_gl {
 struct Call
 {
     std::string name;
-    std::vector<double> arguments; ///< numbers; of a pointer, what it points to
-    unsigned compiled_into;        ///< the list that was being compiled; 0: none
+    std::vector<double> arguments;     ///< numbers; of a pointer, what it points to
+    unsigned compiled_into;            ///< the list that was being compiled; 0: none
+    std::vector<unsigned char> arrays; ///< of glDrawArrays: the vertices, as GL_T2F_C4UB_V3F has them
 };
 
 /// Forgets everything and answers as a fresh context does.
@@ -35,14 +37,20 @@ void have_no_list_names();
 /// Makes the next glGetError return this.
 void set_error(unsigned error);
 
-/// What the program sees when a list is called: the modelview matrix and what is enabled.
+/// The values of the state that switches neither on nor off, by the function that sets them.
+using Settings = std::map<std::string, std::vector<double>>;
+
+/// What the program sees when a list is called, or something is drawn without one: the modelview matrix, what
+/// is enabled, and the settings.
 struct ListCall
 {
-    unsigned list;
+    unsigned list; ///< 0: glBegin or glDrawArrays
     glm::dmat4 modelview;
     std::vector<unsigned> enabled; ///< GLenum of what is on, sorted
     bool depth_writes;
     std::size_t stack_depth; ///< pushes that are not popped
+    Settings settings;       ///< also the colour, under "colour": bytes, opaque unless it says so
+    std::size_t call;        ///< its index among the calls
 
     bool is_enabled(unsigned capability) const;
 };
@@ -51,10 +59,13 @@ struct ListCall
 struct Replay
 {
     std::vector<ListCall> list_calls;
+    std::vector<ListCall> direct_draws;                ///< by glBegin or glDrawArrays
     std::vector<glm::dmat4> light_positions_set_under; ///< the modelview at each GL_POSITION of a light
     std::size_t final_stack_depth = 0;
     bool popped_too_often = false;
     bool final_depth_writes = true;
+    std::vector<unsigned> final_enabled;
+    Settings final_settings;
 };
 
 /// Follows calls on the matrix stack, in double, with matrices written out from the specification.

@@ -57,6 +57,33 @@ glm::dmat4 look_at(const std::vector<double>& v)
 
 } // namespace
 
+namespace {
+
+/// Takes in a call that sets a value. Materials and lights, which every drawing sets anew, are left out.
+void set(Settings& settings, const Call& call)
+{
+    for (const char* name : {"glBlendFunc", "glDepthFunc", "glDepthMask", "glCullFace", "glFrontFace",
+                             "glShadeModel", "glLineWidth", "glPolygonMode", "glMatrixMode"}) {
+        if (call.name == name) {
+            settings[name] = call.arguments;
+        }
+    }
+    if (call.name == "glColor3ub" || call.name == "glColor4ub") {
+        settings["colour"] = call.arguments;
+        settings["colour"].resize(4, 255.0);
+    }
+    // Arrays count as settings, too: they are on or off for the client.
+    if (call.name == "glInterleavedArrays") {
+        for (unsigned array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY}) {
+            settings["array " + std::to_string(array)] = {1.0};
+        }
+    } else if (call.name == "glDisableClientState") {
+        settings.erase("array " + std::to_string(static_cast<unsigned>(call.arguments[0])));
+    }
+}
+
+} // namespace
+
 bool ListCall::is_enabled(unsigned capability) const
 {
     return std::binary_search(enabled.begin(), enabled.end(), capability);
@@ -68,11 +95,13 @@ Replay replay(const std::vector<Call>& calls)
     std::vector<glm::dmat4> stack = {glm::dmat4(1.0)};
     std::set<unsigned> enabled;
     bool modelview = true;
-    for (const Call& call : calls) {
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+        const Call& call = calls[i];
         const std::vector<double>& a = call.arguments;
         if (call.compiled_into != 0) {
             continue;
         }
+        set(result.final_settings, call);
         if (call.name == "glMatrixMode") {
             modelview = a[0] == GL_MODELVIEW;
         } else if (call.name == "glEnable") {
@@ -83,12 +112,16 @@ Replay replay(const std::vector<Call>& calls)
             result.final_depth_writes = a[0] != 0.0;
         } else if (call.name == "glLightfv" && a[1] == GL_POSITION) {
             result.light_positions_set_under.push_back(stack.back());
-        } else if (call.name == "glCallList") {
-            result.list_calls.push_back({static_cast<unsigned>(a[0]),
-                                         stack.back(),
-                                         {enabled.begin(), enabled.end()},
-                                         result.final_depth_writes,
-                                         stack.size() - 1});
+        } else if (call.name == "glCallList" || call.name == "glBegin" || call.name == "glDrawArrays") {
+            const bool is_list = call.name == "glCallList";
+            (is_list ? result.list_calls : result.direct_draws)
+                .push_back({is_list ? static_cast<unsigned>(a[0]) : 0u,
+                            stack.back(),
+                            {enabled.begin(), enabled.end()},
+                            result.final_depth_writes,
+                            stack.size() - 1,
+                            result.final_settings,
+                            i});
         }
         if (!modelview) {
             continue;
@@ -103,6 +136,10 @@ Replay replay(const std::vector<Call>& calls)
             stack.back() = stack.back() * scaling(a[0], a[1], a[2]);
         } else if (call.name == "glRotate") {
             stack.back() = stack.back() * rotation(a[0], {a[1], a[2], a[3]});
+        } else if (call.name == "glMultMatrixd") {
+            glm::dmat4 factor;
+            std::copy(a.begin(), a.end(), &factor[0][0]);
+            stack.back() = stack.back() * factor;
         } else if (call.name == "glPushMatrix") {
             stack.push_back(stack.back());
         } else if (call.name == "glPopMatrix" && stack.size() == 1) {
@@ -112,6 +149,7 @@ Replay replay(const std::vector<Call>& calls)
         }
     }
     result.final_stack_depth = stack.size() - 1;
+    result.final_enabled.assign(enabled.begin(), enabled.end());
     return result;
 }
 

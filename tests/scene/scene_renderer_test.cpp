@@ -145,7 +145,7 @@ TEST_F(SceneRenderer, FitsTheViewToTheWindow)
 TEST_F(SceneRenderer, LeavesTheGroundOutWhenItIsHidden)
 {
     const std::size_t with_ground = replay(draw()).list_calls.size();
-    state.ground = false;
+    state.show.ground = false;
     const recording_gl::Replay without = replay(draw());
     EXPECT_LT(without.list_calls.size(), with_ground);
     EXPECT_EQ(without.list_calls.size(), 1 + tank::PART_COUNT); // the sky, the tank

@@ -79,6 +79,28 @@ TEST(TankLists, LoadedAgainReplaceTheOldOnes)
     EXPECT_EQ(deleted[0].arguments, (std::vector<double>{static_cast<double>(old), 5.0}));
 }
 
+TEST(TankLists, OfTheLowTankAreFiveOfTheirOwn)
+{
+    recording_gl::reset();
+    scene::TankLists lists;
+    ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+    EXPECT_EQ(lists.low_list(MeshKind::body), 0u);
+    ASSERT_TRUE(lists.load_low_detail_tank_objs(scene_test::assets().low));
+    std::set<unsigned> names;
+    for (std::size_t mesh = 0; mesh < tank::MESH_KIND_COUNT; ++mesh) {
+        names.insert(lists.list(static_cast<MeshKind>(mesh)));
+        const unsigned low = lists.low_list(static_cast<MeshKind>(mesh));
+        names.insert(low);
+        std::size_t vertices = 0;
+        for (const Call& call : named(recording_gl::calls(), "glVertex3f")) {
+            vertices += call.compiled_into == low ? 1u : 0u;
+        }
+        EXPECT_EQ(vertices, 3u); // the fixture's low meshes have one face
+    }
+    EXPECT_EQ(names.size(), 10u);
+    EXPECT_EQ(names.count(0), 0u);
+}
+
 TEST(TankLists, SayWhenThereAreNoNamesLeft)
 {
     recording_gl::reset();

@@ -1,0 +1,73 @@
+#include "scene/probe_markers.h"
+
+#include "scene/level_colours.h"
+
+#include <glm/geometric.hpp>
+
+namespace scene {
+namespace {
+
+constexpr Rgb PROBE_COLOUR = {255, 230, 60};
+constexpr Rgb MOVED_COLOUR = {255, 255, 255};
+
+constexpr double HANDLE_RADIUS = 0.09; // metres
+constexpr double CLOSEST_POINT_RADIUS = 0.06;
+constexpr double CENTRE_RADIUS = 0.04;
+
+void draw_handle(const app::ProbeInFrame& probe, app::Handle handle, const glm::dvec3& place,
+                 const MarkerPen& pen)
+{
+    pen.ball(PROBE_COLOUR, place, HANDLE_RADIUS);
+    if (probe.handle == handle) {
+        pen.halo(MOVED_COLOUR, place, HANDLE_RADIUS);
+    }
+}
+
+void draw_line(const app::ProbeInFrame& probe, const MarkerPen& pen)
+{
+    pen.line(PROBE_COLOUR, probe.from, probe.to);
+    draw_handle(probe, app::Handle::line_a, probe.a, pen);
+    draw_handle(probe, app::Handle::line_b, probe.b, pen);
+    // A line that goes on says so beyond its handle.
+    const glm::dvec3 along = probe.b - probe.a;
+    const double length = glm::length(along);
+    if (length > 0.0) {
+        const glm::dvec3 direction = along / length;
+        if (probe.to != probe.b) {
+            pen.arrow_head(PROBE_COLOUR, probe.b + direction, direction);
+        }
+        if (probe.from != probe.a) {
+            pen.arrow_head(PROBE_COLOUR, probe.a - direction, -direction);
+        }
+    }
+}
+
+void draw_closest_points(const app::Frame& frame, const MarkerPen& pen)
+{
+    for (const app::ClosestPointInFrame& closest : frame.used_closest_points()) {
+        const Rgb colour = level_colour(closest.is_root);
+        pen.line(colour, closest.point, closest.centre);
+        pen.ball(colour, closest.centre, CENTRE_RADIUS);
+        // Of a point every closest point is the point itself, which is drawn.
+        if (frame.probe.probe != app::Probe::point) {
+            pen.ball(colour, closest.point, CLOSEST_POINT_RADIUS);
+        }
+    }
+}
+
+} // namespace
+
+void draw_probe(const app::Frame& frame, const MarkerPen& pen)
+{
+    if (frame.probe.probe == app::Probe::none) {
+        return;
+    }
+    if (frame.probe.probe == app::Probe::point) {
+        pen.ball(PROBE_COLOUR, frame.probe.point, frame.probe.point_radius);
+    } else {
+        draw_line(frame.probe, pen);
+    }
+    draw_closest_points(frame, pen);
+}
+
+} // namespace scene

@@ -310,8 +310,8 @@ SCENE(glu_scaled_images_of_packed_types)
     for (const auto& [type, format] : types) {
         const std::vector<GLubyte> in = picture(9, 7, 4);
         std::vector<GLubyte> out(6 * 5 * 4);
-        tell(std::to_string(gluScaleImage(format, 9, 7, type, in.data(), 6, 5, type, out.data())) +
-             text_of(out));
+        tell(std::to_string(gluScaleImage(format, 9, 7, type, in.data(), 6, 5, type, out.data())));
+        tell(text_of(out));
     }
 }
 

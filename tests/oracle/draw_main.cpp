@@ -1,20 +1,17 @@
 // Draws every scene into a folder: <scene>.rgba (WIDTH × HEIGHT pixels of four bytes, the bottom row first)
 // and <scene>.txt (what the scene told and the error it left). Linked once with legacygl and once with the
-// system's OpenGL; compare_test then holds the two folders together.
+// system's OpenGL; compare_test then holds the two folders together, and tests/page/oracle.test.mjs the page.
 
+#include "drawing.h"
 #include "platform/offscreen_target.h"
-#include "scene.h"
 
 #include <GL/gl.h>
 
 #include <cstdio>
 #include <fstream>
 #include <memory>
-#include <vector>
 
 namespace {
-
-std::string told;
 
 void write(const std::string& path, const void* data, std::size_t size)
 {
@@ -22,11 +19,6 @@ void write(const std::string& path, const void* data, std::size_t size)
 }
 
 } // namespace
-
-void oracle::tell(const std::string& line)
-{
-    told += line + "\n";
-}
 
 int main(int argc, char** argv)
 {
@@ -45,17 +37,10 @@ int main(int argc, char** argv)
             std::fprintf(stderr, "%s\n", error.c_str());
             return 2;
         }
-        told.clear();
         renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-        glViewport(0, 0, scene.size.width, scene.size.height);
-        scene.draw();
-        for (GLenum code; (code = glGetError()) != GL_NO_ERROR;)
-            told += "left error " + std::to_string(code) + "\n";
-        std::vector<unsigned char> rgba(static_cast<std::size_t>(scene.size.width) * scene.size.height * 4);
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glReadPixels(0, 0, scene.size.width, scene.size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-        write(folder + "/" + scene.name + ".rgba", rgba.data(), rgba.size());
-        write(folder + "/" + scene.name + ".txt", told.data(), told.size());
+        const oracle::Drawn drawn = oracle::draw(scene);
+        write(folder + "/" + scene.name + ".rgba", drawn.rgba.data(), drawn.rgba.size());
+        write(folder + "/" + scene.name + ".txt", drawn.told.data(), drawn.told.size());
     }
     std::printf("%zu scenes on %s\n", oracle::scenes().size(), renderer.c_str());
     return 0;

@@ -43,7 +43,7 @@ void floor_of_levels()
     glEnd();
 }
 
-/// Draws the levels of the bound texture beside each other, each texel a square of the same size.
+/// Draws the levels of the bound texture beside each other, each texel a pixel, so that no pixel lies between two.
 void every_level(int width, int height)
 {
     two_dimensions();
@@ -51,7 +51,7 @@ void every_level(int width, int height)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    float x = 0.25f;
+    float x = 0.2f;
     for (int level = 0; width >= 1 || height >= 1; ++level, width /= 2, height /= 2) {
         const float w = static_cast<float>(width > 0 ? width : 1) / 10;
         const float h = static_cast<float>(height > 0 ? height : 1) / 10;
@@ -59,10 +59,10 @@ void every_level(int width, int height)
         for (int corner = 0; corner < 4; ++corner) {
             const float s = corner % 2 == 0 ? 0.0f : 1.0f, t = corner < 2 ? 0.0f : 1.0f;
             glTexCoord2f(s, t);
-            glVertex2f(x + s * w, 0.25f + t * h);
+            glVertex2f(x + s * w, 0.2f + t * h);
         }
         glEnd();
-        x += w + 0.25f;
+        x += w + 0.2f;
     }
 }
 

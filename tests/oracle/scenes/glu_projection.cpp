@@ -36,7 +36,8 @@ void load_identity(GLenum mode)
     glLoadIdentity();
 }
 
-/// Numbers that look random and are the same everywhere.
+/// Numbers that look random and are the same everywhere, given in the order they are asked for: so two of
+/// them are never arguments of one call, but elements of one list, which has an order.
 class Numbers
 {
 public:
@@ -60,15 +61,18 @@ SCENE(glu_matrices)
     Numbers number;
     for (int i = 0; i < 20; ++i) {
         load_identity(GL_PROJECTION);
-        gluPerspective(number(1, 179), number(0.2, 4), number(0.01, 2), number(3, 5000));
+        const double view[] = {number(1, 179), number(0.2, 4), number(0.01, 2), number(3, 5000)};
+        gluPerspective(view[0], view[1], view[2], view[3]);
         tell_matrix("perspective", GL_PROJECTION_MATRIX);
         load_identity(GL_MODELVIEW);
-        gluLookAt(number(-9, 9), number(-9, 9), number(-9, 9), number(-9, 9), number(-9, 9), number(-9, 9),
-                  number(-1, 1), number(-1, 1), number(-1, 1));
+        const double look[] = {number(-9, 9), number(-9, 9), number(-9, 9), number(-9, 9), number(-9, 9),
+                               number(-9, 9), number(-1, 1), number(-1, 1), number(-1, 1)};
+        gluLookAt(look[0], look[1], look[2], look[3], look[4], look[5], look[6], look[7], look[8]);
         tell_matrix("lookAt", GL_MODELVIEW_MATRIX);
         GLint viewport[] = {10, 20, 300, 200};
         load_identity(GL_PROJECTION);
-        gluPickMatrix(number(0, 300), number(0, 200), number(1, 20), number(1, 20), viewport);
+        const double pick[] = {number(0, 300), number(0, 200), number(1, 20), number(1, 20)};
+        gluPickMatrix(pick[0], pick[1], pick[2], pick[3], viewport);
         tell_matrix("pick", GL_PROJECTION_MATRIX);
     }
     // Degenerate ones leave the matrix alone, or nearly.
@@ -96,8 +100,9 @@ SCENE(glu_project_and_unproject)
         GLdouble model[16], projection[16];
         if (i < 20) {
             load_identity(GL_MODELVIEW);
-            gluLookAt(number(-9, 9), number(-9, 9), number(-9, 9), number(-2, 2), number(-2, 2),
-                      number(-2, 2), 0, 1, 0);
+            const double look[] = {number(-9, 9), number(-9, 9), number(-9, 9),
+                                   number(-2, 2), number(-2, 2), number(-2, 2)};
+            gluLookAt(look[0], look[1], look[2], look[3], look[4], look[5], 0, 1, 0);
             load_identity(GL_PROJECTION);
             gluPerspective(number(20, 100), 1.5, 0.5, 100);
             glGetDoublev(GL_MODELVIEW_MATRIX, model);
@@ -109,14 +114,15 @@ SCENE(glu_project_and_unproject)
             }
         }
         double x = -1, y = -1, z = -1, w = -1;
-        GLint good =
-            gluProject(number(-3, 3), number(-3, 3), number(-3, 3), model, projection, viewport, &x, &y, &z);
+        const double point[] = {number(-3, 3), number(-3, 3), number(-3, 3)};
+        GLint good = gluProject(point[0], point[1], point[2], model, projection, viewport, &x, &y, &z);
         tell_numbers("project " + std::to_string(good), {x, y, z});
-        good = gluUnProject(number(0, 160), number(0, 120), number(0, 1), model, projection, viewport, &x, &y,
-                            &z);
+        const double window[] = {number(0, 160), number(0, 120), number(0, 1),
+                                 number(0.5, 2), number(0, 0.4), number(0.6, 1)};
+        good = gluUnProject(window[0], window[1], window[2], model, projection, viewport, &x, &y, &z);
         tell_numbers("unproject " + std::to_string(good), {x, y, z});
-        good = gluUnProject4(number(0, 160), number(0, 120), number(0, 1), number(0.5, 2), model, projection,
-                             viewport, number(0, 0.4), number(0.6, 1), &x, &y, &z, &w);
+        good = gluUnProject4(window[0], window[1], window[2], window[3], model, projection, viewport,
+                             window[4], window[5], &x, &y, &z, &w);
         tell_numbers("unproject4 " + std::to_string(good), {x, y, z, w});
     }
 }

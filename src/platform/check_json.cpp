@@ -38,8 +38,7 @@ void write_task(app::JsonWriter& json, const app::Task& task, const CheckResults
     json.end_array();
     json.key("link").string(std::string(app::link_key(task.kind)) + "=" + std::string(task.id));
     json.key("source").string(task.source);
-    const auto result = results.find(task.id);
-    write_result(json, result == results.end() ? nullptr : &result->second);
+    write_result(json, find_result(results, task.id));
     json.end_object();
 }
 

@@ -5,8 +5,6 @@
 #include "platform/web_canvas.h"
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,11 +40,17 @@ public:
     void draw_now();
 
 private:
-    static void run_frame(void* page);
+    static int run_frame(double now, void* page);
     void frame();
     void report();
 
-    std::map<std::string, std::vector<std::uint8_t>, std::less<>> files_;
+    struct File
+    {
+        std::string name;
+        std::vector<std::uint8_t> bytes;
+    };
+
+    std::vector<File> files_; // names differ
     CheckResults check_results_;
     WebCanvas canvas_;
     Program program_;

@@ -68,7 +68,8 @@ TEST(TaskJson, HasNullUntilATaskIsChecked)
 TEST(TaskJson, HasWhatTheCheckFound)
 {
     platform::CheckResults results;
-    results.emplace("1.3", platform::CheckResult{false, {"A \"wheel\" is lost."}});
+    platform::remember(results, {"1.3", true, {"All is well."}});
+    platform::remember(results, {"1.3", false, {"A \"wheel\" is lost."}});
     EXPECT_NE(
         platform::task_json("1.3", results).find(R"("passed":false,"evidence":["A \"wheel\" is lost."])"),
         std::string::npos);

@@ -103,10 +103,20 @@ void WebPage::frame()
     if (canvas_.take_restored()) {
         program_.redraw();
     }
-    if (!canvas_.lost() && program_.draw_if_changed(canvas_.width(), canvas_.height())) {
-        legacygl_present(legacygl_current());
-    }
+    draw();
     report();
+}
+
+void WebPage::draw()
+{
+    if (canvas_.lost()) {
+        return;
+    }
+    legacygl_reset_counters(legacygl_current());
+    if (program_.draw_if_changed(canvas_.width(), canvas_.height())) {
+        legacygl_present(legacygl_current());
+        draw_calls_ = legacygl_counters(legacygl_current()).draw_calls;
+    }
 }
 
 void WebPage::report()
@@ -123,9 +133,7 @@ void WebPage::report()
 void WebPage::draw_now()
 {
     program_.redraw();
-    if (!canvas_.lost() && program_.draw_if_changed(canvas_.width(), canvas_.height())) {
-        legacygl_present(legacygl_current());
-    }
+    draw();
 }
 
 std::string WebPage::capture()

@@ -39,9 +39,13 @@ public:
     /// Draws the current state now, within the caller's own task, whether it changed or not.
     void draw_now();
 
+    /// Returns how many draw calls the last picture took.
+    std::uint64_t draw_calls() const { return draw_calls_; }
+
 private:
     static int run_frame(double now, void* page);
     void frame();
+    void draw();
     void report();
 
     struct File
@@ -56,6 +60,7 @@ private:
     Program program_;
     bool canvas_open_ = false;
     double last_frame_seconds_ = 0.0;
+    std::uint64_t draw_calls_ = 0;
     bool reported_ = false;
     std::uint64_t reported_revision_ = 0;
 };

@@ -76,6 +76,13 @@ TEST(TaskJson, HasWhatTheCheckFound)
     EXPECT_NE(platform::tasks_json(results).find(R"("passed":false)"), std::string::npos);
 }
 
+TEST(TaskJson, OfAFigureHasNoVerdict)
+{
+    const std::string json = platform::task_json("5b", {});
+    EXPECT_NE(json.find(R"("kind":"figure")"), std::string::npos) << json;
+    EXPECT_NE(json.find(R"("passed":null)"), std::string::npos) << json;
+}
+
 TEST(TaskJson, OfAnUnknownTaskIsNull)
 {
     EXPECT_EQ(platform::task_json("9.9", {}), "null");

@@ -58,10 +58,23 @@ function holdWhilePressed(made, name, act) {
   made.addEventListener("click", (event) => event.detail === 0 && !held && tap());
 }
 
+const buttons = []; // all that were made
+
+/** Lights the buttons of commands that are held, by whatever key or button. */
+export function lightHeld(program) {
+  let shown = "";
+  program.listen(({ held }) => {
+    if (held.join() === shown) return;
+    shown = held.join();
+    for (const one of buttons) one.classList.toggle("held", held.includes(one.dataset.command));
+  });
+}
+
 /** Makes the button of a row of the table of commands. */
 export function commandButton(command, className, content, act) {
   const made = button(className, content);
   made.dataset.command = command.name;
+  buttons.push(made);
   if (command.kind === "hold") holdWhilePressed(made, command.name, act);
   else made.addEventListener("click", () => act(command.name, 1));
   return made;

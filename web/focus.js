@@ -11,6 +11,9 @@ export function followFocus(canvas) {
     hint.hidden = focused;
     canvas.classList.toggle("ring", focused && byTab);
   };
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && !event.defaultPrevented && document.body.classList.contains("ready")) canvas.focus({ preventScroll: true });
+  });
   canvas.addEventListener("focus", follow);
   canvas.addEventListener("blur", follow);
   follow();

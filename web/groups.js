@@ -1,4 +1,4 @@
-// Headings that fold what is below them, and stay folded on the next visit.
+// Headings that fold what is below them, and stay so on the next visit.
 import { element } from "./elements.js";
 import { recall, remember } from "./storage.js";
 
@@ -9,10 +9,12 @@ export function byGroup(rows) {
   return groups;
 }
 
-/** Returns an element with a heading and content that it folds. name: what it is remembered by. */
-export function foldedGroup(title, name, content) {
+/** Returns an element with a heading and content that it folds. name: what it is remembered by.
+    open: whether it is so at first. */
+export function foldedGroup(title, name, content, { open = true } = {}) {
   const group = element("details", "group", element("summary", "", element("h2", "", title)), ...content);
-  group.open = recall(`folded.${name}`) !== "yes";
-  group.addEventListener("toggle", () => remember(`folded.${name}`, group.open ? "no" : "yes"));
+  group.open = (recall(`folded.${name}`) ?? (open ? "no" : "yes")) !== "yes";
+  // Not on "toggle", which comes also when it was no person that folded it.
+  group.firstChild.addEventListener("click", () => remember(`folded.${name}`, group.open ? "yes" : "no"));
   return group;
 }

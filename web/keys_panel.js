@@ -1,23 +1,27 @@
-// The list of keys, made from the program's table of commands. Each row is a button, too.
-import { commandButton } from "./command_button.js";
+// The list of keys, made from the program's table of commands. Rows and keys here are buttons, too.
+import { commandRows } from "./command_rows.js";
 import { element } from "./elements.js";
 import { byGroup, foldedGroup } from "./groups.js";
-import { keycaps, keyLabels } from "./key_labels.js";
+import { keycaps } from "./key_labels.js";
 
-/** Fills the panel; rows whose commands are held are lit. */
-export function showKeys({ program, layout, act }) {
+// What the pointer does is no command of the table: it depends on what it points at.
+const POINTER = [
+  ["Fire from the eye through the pointer", "Click"],
+  ["Move the point, or an end of the line", "Drag it"],
+  ["Go round the tank", "Drag elsewhere"],
+  ["Go nearer or further away", "Wheel, two fingers"],
+];
+
+/** Fills the panel. */
+export function showKeys(parts) {
   const panel = document.getElementById("keys");
-  const row = (command) =>
-    commandButton(command, "row", [element("span", "", command.title), keycaps(keyLabels(command, layout))], act);
-  const withKeys = program.commands().filter((command) => command.keys.length > 0);
-  for (const [title, commands] of byGroup(withKeys)) panel.append(foldedGroup(title, `keys.${title}`, commands.map(row)));
-  panel.append(element("p", "note", "Drag the picture to go round the tank; turn the wheel, or use two fingers, to go nearer or further away."));
-
-  const rows = [...panel.querySelectorAll("[data-command]")];
-  let shown = "";
-  program.listen(({ held }) => {
-    if (held.join() === shown) return;
-    shown = held.join();
-    for (const one of rows) one.classList.toggle("held", held.includes(one.dataset.command));
-  });
+  const withKeys = parts.program.commands().filter((command) => command.keys.length > 0);
+  panel.append(element("p", "note", "The keys work while the picture has the focus: Esc leads from here to it. Rows and keys of this list are buttons, too."));
+  const pointer = POINTER.map(([what, how]) => element("p", "row", element("span", "", what), keycaps([how])));
+  panel.append(foldedGroup("Pointer on the picture", "keys.Pointer", pointer));
+  for (const [title, commands] of byGroup(withKeys)) {
+    const rows = commandRows(commands, parts);
+    if (rows.length === 1) panel.append(rows[0]); // which says what a heading would
+    else panel.append(foldedGroup(title, `keys.${title}`, rows));
+  }
 }

@@ -1,14 +1,17 @@
 // Loads the program, starts it in the state that the address describes, and joins it to the page.
 import { followAddress } from "./address.js";
+import { lightHeld } from "./command_button.js";
 import { LoadFailure, showFailure } from "./failure.js";
 import { followFocus } from "./focus.js";
-import { showKeys } from "./keys_panel.js";
+import { showHits } from "./hits_panel.js";
 import { readKeyboardLayout } from "./key_labels.js";
+import { showKeys } from "./keys_panel.js";
 import { hideProgress, loadFiles, showProgress } from "./load.js";
 import { dismiss, notify } from "./notices.js";
 import { joinPanels } from "./panels.js";
 import { Program } from "./program.js";
 import { joinShareButton } from "./share.js";
+import { followStatus } from "./status_line.js";
 import { showTasks } from "./tasks_panel.js";
 import { showValues } from "./values_panel.js";
 
@@ -47,10 +50,13 @@ async function start(program) {
 
   const parts = { program, layout, act: (name, value) => attempt(() => program.command(name, value)) };
   showTasks(parts);
+  showHits(parts);
   showKeys(parts);
   showValues(parts);
+  lightHeld(program);
+  followStatus(program);
   // The panels take their room before the first frame, so that nothing jumps.
-  joinPanels(canvas, { bare, task: /(^|[#&;])(task|figure)=/.test(location.hash) });
+  joinPanels({ canvas, program, bare, task: /(^|[#&;])(task|figure)=/.test(location.hash) });
   followAddress(program);
   joinShareButton(program);
   followFocus(canvas);

@@ -2,8 +2,10 @@
 import createTanklab from "./tanklab.js";
 import { LoadFailure, showFailure } from "./failure.js";
 import { dismiss, notify } from "./notices.js";
+import { throttled } from "./throttle.js";
 
 const LINES_KEPT = 40; // of what the program printed, for a failure's details
+const RETURNS = { draw: "void", draw_calls: "number" }; // the other functions return texts
 
 /** Tells whether an error came out of the WebAssembly module: a trap, an abort, a stack that ran over. */
 const isFromModule = (error) => error instanceof WebAssembly.RuntimeError || /wasm/i.test(error?.stack ?? "");
@@ -64,10 +66,11 @@ export class Program {
     }
   }
 
-  /** Calls listener(state) now, if there is a state, and after every change. */
-  listen(listener) {
-    this.#listeners.push(listener);
-    if (this.newest) listener(this.newest);
+  /** Calls listener(state) now, if there is a state, and after every change, or at most once in `every` ms. */
+  listen(listener, every = 0) {
+    const heard = every ? throttled(listener, every) : listener;
+    this.#listeners.push(heard);
+    if (this.newest) heard(this.newest);
   }
 
   state = () => JSON.parse(this.#call("state"));
@@ -75,23 +78,30 @@ export class Program {
   command = (name, value = 1) => refuse(this.#call("command", String(name), Number(value)));
   link = () => this.#call("link");
   capture = () => JSON.parse(this.#call("capture"));
-  tasks = () => JSON.parse(this.#call("tasks"));
+  hits = () => JSON.parse(this.#call("hits"));
+  drawCalls = () => this.#call("draw_calls");
+  tasks = () => this.#tasksAndFigures().filter((row) => row.kind === "task");
+  figures = () => this.#tasksAndFigures().filter((row) => row.kind === "figure");
   draw = () => void this.#call("draw");
 
   /** Opens a fragment and returns what was wrong with it, a sentence each. */
   openLink = (fragment) => JSON.parse(this.#call("open_link", String(fragment)));
 
-  /** Runs the check of a task. Returns the task with `passed` and `evidence`. */
+  /** Runs the check of a task. Returns the task with `passed` and `evidence`; of a figure passed is null. */
   check = async (id) => {
     const task = JSON.parse(this.#call("check", String(id)));
-    if (!task) throw new Error(`There is no task '${id}'.`);
+    if (!task) throw new Error(`There is no task or figure '${id}'.`);
     return task;
   };
 
   /** Returns what stands in window.tanklab. Everything throws an Error with a sentence where it cannot be done. */
   forScripts() {
-    const { state, commands, command, link, openLink, capture, tasks, check, draw } = this;
-    return { state, commands, command, link, openLink, capture, tasks, check, draw };
+    const { state, commands, command, link, openLink, capture, hits, tasks, figures, check, draw } = this;
+    return { state, commands, command, link, openLink, capture, hits, tasks, figures, check, draw };
+  }
+
+  #tasksAndFigures() {
+    return JSON.parse(this.#call("tasks"));
   }
 
   #call(name, ...values) {
@@ -99,7 +109,7 @@ export class Program {
     if (!this.#module) throw new Error("The program is still being loaded; wait for tanklab.ready.");
     const types = values.map((value) => (typeof value === "number" ? "number" : "string"));
     try {
-      return this.#module.ccall(`tanklab_${name}`, name === "draw" ? null : "string", types, values);
+      return this.#module.ccall(`tanklab_${name}`, RETURNS[name] ?? "string", types, values);
     } catch (error) {
       if (isFromModule(error)) this.#stop(error);
       throw error;

@@ -1,97 +1,34 @@
-// A control for each value of the state, made from the program's table: a slider with a number, a switch, or
-// a list of choices.
-import { button, element } from "./elements.js";
+// A control for each value of the state, made from the program's table, in groups that fold.
+import { control, defaultOf } from "./controls.js";
+import { element } from "./elements.js";
 import { byGroup, foldedGroup } from "./groups.js";
-import { keyStep, scaleOf } from "./scales.js";
 
-const UNITS = { degrees: "°", metres: "m", "metres per second": "m/s" };
-const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
+const PAUSE_MS = 30;
 
-/** Returns a choice's name for people. */
-const spoken = (name) => name[0].toUpperCase() + name.slice(1).replaceAll("_", " ");
-
-/** Makes a slider with a number to read and to type. Returns its elements, and show(value). */
-function numberControl(field, act) {
-  const scale = scaleOf(field);
-  const id = `value-${field.name}`;
-  let shown = NaN;
-  let typing = false;
-
-  const number = element("input", "number");
-  Object.assign(number, { type: "number", id, step: "any", inputMode: "decimal" });
-  if (!field.wraps) Object.assign(number, { min: field.minimum, max: field.maximum });
-  const restore = () => {
-    typing = false;
-    number.value = shown;
+/** Makes the field that hides the rows without the words typed into it. rows: [{text, row}] */
+function finder(panel, rows) {
+  const search = element("input", "search");
+  Object.assign(search, { type: "search", placeholder: "Find a value", spellcheck: false });
+  search.setAttribute("aria-label", "Find a value");
+  let unfolded = []; // groups that were folded before something was looked for
+  search.oninput = () => {
+    const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    for (const { text, row } of rows) row.hidden = !words.every((word) => text.includes(word));
+    if (words.length === 0) for (const group of unfolded.splice(0)) group.open = false;
+    for (const group of panel.querySelectorAll(".group")) {
+      group.hidden = !group.querySelector(".value:not([hidden])");
+      if (words.length === 0 || group.open) continue;
+      unfolded.push(group);
+      group.open = true;
+    }
   };
-  number.oninput = () => (typing = true);
-  number.onchange = () => {
-    const typed = number.value;
-    restore(); // the state then says what became of it
-    if (typed !== "") act(field.name, Number(typed));
-  };
-  number.onblur = restore;
-  number.onkeydown = (event) => {
-    if (event.key !== "Escape") return;
+  search.onkeydown = (event) => {
+    if (event.key !== "Escape" || !search.value) return;
     event.preventDefault();
-    restore();
-    number.select();
+    search.value = "";
+    search.oninput();
   };
-
-  const slider = element("input", "slider");
-  Object.assign(slider, { type: "range", min: 0, max: scale.ends, step: "any" });
-  slider.setAttribute("aria-label", field.title);
-  slider.oninput = () => act(field.name, scale.value(Number(slider.value)));
-  slider.ondblclick = () => act(field.name, field.default);
-  slider.onkeydown = (event) => {
-    const steps = ARROWS[event.key];
-    if (steps === undefined) return;
-    event.preventDefault();
-    act(field.name, shown + steps * (event.shiftKey ? field.step : keyStep(field, shown)));
-  };
-
-  const unit = UNITS[field.unit] ?? field.unit;
-  const label = element("label", "", field.title);
-  label.htmlFor = id;
-  const back = button("quiet back", "↺", () => act(field.name, field.default));
-  back.title = `Back to ${field.default} ${unit}`.trim();
-  back.setAttribute("aria-label", `${field.title}: back to ${field.default} ${field.unit}`.trim());
-
-  return {
-    elements: [label, back, element("span", "amount", number, element("span", "unit", unit)), slider],
-    show: (value) => {
-      shown = value;
-      if (!typing) number.value = value;
-      const place = scale.place(value);
-      const [from, to] = [place, scale.place(field.default)].sort((a, b) => a - b);
-      slider.value = place;
-      slider.style.setProperty("--from", `${(100 * from) / scale.ends}%`);
-      slider.style.setProperty("--to", `${(100 * to) / scale.ends}%`);
-      slider.setAttribute("aria-valuetext", `${value} ${field.unit}`.trim());
-      back.classList.toggle("idle", value === field.default);
-    },
-  };
-}
-
-function switchControl(field, act) {
-  const box = element("input", "switch");
-  box.type = "checkbox";
-  box.onchange = () => act(field.name, box.checked ? 1 : 0);
-  const label = element("label", "whole", element("span", "", field.title), box);
-  return { elements: [label], show: (value) => (box.checked = value === "on") };
-}
-
-function choiceControl(field, act) {
-  const list = element("select");
-  for (const [i, name] of field.choices.entries()) list.append(new Option(spoken(name), String(i)));
-  list.onchange = () => act(field.name, Number(list.value));
-  const label = element("label", "whole", element("span", "", field.title), list);
-  return { elements: [label], show: (value) => (list.value = String(field.choices.indexOf(value))) };
-}
-
-function control(field, act) {
-  if (!field.choices) return numberControl(field, act);
-  return field.choices.join() === "off,on" ? switchControl(field, act) : choiceControl(field, act);
+  return search;
 }
 
 /** Fills the panel; the controls follow the state. */
@@ -100,24 +37,42 @@ export function showValues({ program, act }) {
   // A row that sets several fields has each of them in a row of its own.
   const fields = program.commands().filter((command) => command.kind === "set" && command.fields.length === 1);
   const shows = new Map();
-  const row = (field) => {
+  const rows = [];
+  const makeRow = (field) => {
     const { elements, show } = control(field, act);
     shows.set(field.name, show);
-    const made = element("div", "value", ...elements);
-    made.dataset.field = field.name;
-    return made;
+    const row = element("div", "value", ...elements);
+    row.dataset.field = field.name;
+    rows.push({ row, text: `${field.title} ${field.name} ${field.group} ${field.choices?.join(" ") ?? ""}`.toLowerCase() });
+    return row;
   };
+  const groups = [];
   for (const [title, group] of byGroup(fields)) {
-    const said = group.length === 1 && group[0].title === title; // by the row itself
-    panel.append(said ? row(group[0]) : foldedGroup(title, `values.${title}`, group.map(row)));
+    const made = group.map(makeRow);
+    if (group.length === 1) {
+      panel.append(...made);
+      continue;
+    }
+    const folded = foldedGroup(title, `values.${title}`, made, { open: false });
+    groups.push({ group, heading: folded.querySelector("h2"), title });
+    panel.append(folded);
   }
+  panel.prepend(finder(panel, rows));
 
   const shown = {};
-  program.listen((state) => {
+  const update = (state) => {
+    if (panel.hidden || !state) return;
     for (const [name, show] of shows) {
       if (state[name] === shown[name]) continue;
       shown[name] = state[name];
       show(state[name]);
     }
-  });
+    for (const { group, heading, title } of groups) {
+      const changed = group.filter((field) => state[field.name] !== defaultOf(field)).length;
+      const text = changed ? `${title} · ${changed} changed` : title;
+      if (heading.textContent !== text) heading.textContent = text;
+    }
+  };
+  program.listen(update, PAUSE_MS);
+  panel.addEventListener("shown", () => update(program.newest));
 }

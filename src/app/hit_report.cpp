@@ -202,6 +202,12 @@ void write_report(JsonWriter& json, const HitReport& report)
         json.null();
     }
     json.key("parts_tested").number(static_cast<std::uint64_t>(explanation.parts.size()));
+    json.key("tested").begin_array();
+    for (std::size_t part = 0; part < explanation.parts.size(); ++part) {
+        json.begin_object().key("part").string(tank::part_name(static_cast<tank::Part>(part)));
+        json.key("depth").decimal(to_millimetres(explanation.parts[part].depth), 3).end_object();
+    }
+    json.end_array();
     json.key("parts").begin_array();
     explanation.hits.for_each([&](std::size_t part) {
         write_sphere(json, tank::part_name(static_cast<tank::Part>(part)), explanation.parts[part]);

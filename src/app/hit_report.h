@@ -38,8 +38,9 @@ std::vector<std::string> report_lines(const HitReport& report);
 
 /// Writes the report as an object: `probe`, `from` (and `to`), `radius`, `refusal` or null, `root` and
 /// `parts`, those that were penetrated. Each sphere has `part` (root: "tank"), `centre`, `radius`,
-/// `distance`, `depth`, `inside`, `closest_point`, `parameter`. `triangles`: of a point tested against those,
-/// as {part, inside, distance, nearest}. Or null without a probe.
+/// `distance`, `depth`, `inside`, `closest_point`, `parameter`. `tested`: every part that was tested, as
+/// {part, depth}. `triangles`: of a point tested against those, as {part, inside, distance, nearest}. Or null
+/// without a probe.
 void write_report(JsonWriter& json, const HitReport& report);
 
 } // namespace app

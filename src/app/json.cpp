@@ -5,10 +5,8 @@
 #include "app/fields.h"
 #include "app/firing.h"
 #include "app/frame.h"
-#include "app/json_writer.h"
 #include "app/links.h"
 #include "app/measures.h"
-#include "app/tasks.h"
 
 namespace app {
 
@@ -231,29 +229,21 @@ std::string commands_json()
     return json.take();
 }
 
-std::string tasks_json()
+void write_task(JsonWriter& json, const Task& task)
 {
-    JsonWriter json;
-    json.begin_array();
-    for (const Task& task : tasks()) {
-        json.begin_object();
-        json.key("id").string(task.id);
-        json.key("kind").string(link_key(task.kind));
-        json.key("title").string(task.title);
-        json.key("text").string(task.text);
-        json.key("commands").begin_array();
-        for (std::string_view command : task.commands) {
-            if (!command.empty()) {
-                json.string(command);
-            }
+    json.key("id").string(task.id);
+    json.key("kind").string(link_key(task.kind));
+    json.key("title").string(task.title);
+    json.key("text").string(task.text);
+    json.key("commands").begin_array();
+    for (std::string_view command : task.commands) {
+        if (!command.empty()) {
+            json.string(command);
         }
-        json.end_array();
-        json.key("link").string(std::string(link_key(task.kind)) + "=" + std::string(task.id));
-        json.key("source").string(task.source);
-        json.end_object();
     }
     json.end_array();
-    return json.take();
+    json.key("link").string(std::string(link_key(task.kind)) + "=" + std::string(task.id));
+    json.key("source").string(task.source);
 }
 
 std::string strings_json(std::span<const std::string> texts)

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "app/assets.h"
+#include "app/json_writer.h"
 #include "app/simulation.h"
 #include "app/state.h"
+#include "app/tasks.h"
 
 #include <span>
 #include <string>
@@ -31,9 +33,9 @@ std::string hits_json(const Simulation& simulation);
 /// value is an index of them).
 std::string commands_json();
 
-/// Returns the table of tasks and figures as a JSON array of {id, kind, title, text, commands, link, source}.
-/// link: opens it, such as "task=1.2". commands: names of commands to try.
-std::string tasks_json();
+/// Writes a row of the table of tasks and figures as members of an object that has begun: `id`, `kind`,
+/// `title`, `text`, `commands` (names of commands to try), `link` (opens it, such as "task=1.2"), `source`.
+void write_task(JsonWriter& json, const Task& task);
 
 /// Returns texts as a JSON array of strings, such as the messages of a link.
 std::string strings_json(std::span<const std::string> texts);

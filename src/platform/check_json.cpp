@@ -1,7 +1,6 @@
 #include "platform/check_json.h"
 
-#include "app/json_writer.h"
-#include "app/tasks.h"
+#include "app/json.h"
 
 namespace platform {
 namespace {
@@ -23,23 +22,11 @@ void write_result(app::JsonWriter& json, const CheckResult* result)
     json.end_array();
 }
 
-void write_task(app::JsonWriter& json, const app::Task& task, const CheckResults& results)
+void write_checked_task(app::JsonWriter& json, const app::Task& task, const CheckResults& results)
 {
     json.begin_object();
-    json.key("id").string(task.id);
-    json.key("title").string(task.title);
-    json.key("text").string(task.text);
-    json.key("commands").begin_array();
-    for (std::string_view command : task.commands) {
-        if (!command.empty()) {
-            json.string(command);
-        }
-    }
-    json.end_array();
-    json.key("link").string(std::string(app::link_key(task.kind)) + "=" + std::string(task.id));
-    json.key("source").string(task.source);
-    const auto result = results.find(task.id);
-    write_result(json, result == results.end() ? nullptr : &result->second);
+    app::write_task(json, task);
+    write_result(json, find_result(results, task.id));
     json.end_object();
 }
 
@@ -48,12 +35,13 @@ void write_task(app::JsonWriter& json, const app::Task& task, const CheckResults
 std::string task_json(std::string_view id, const CheckResults& results)
 {
     app::JsonWriter json;
-    if (const auto row = app::find_task(app::TaskKind::task, id)) {
-        write_task(json, app::tasks()[*row], results);
-    } else {
-        json.null();
+    for (const app::Task& task : app::tasks()) {
+        if (task.id == id) {
+            write_checked_task(json, task, results);
+            return json.take();
+        }
     }
-    return json.take();
+    return json.null().take();
 }
 
 std::string tasks_json(const CheckResults& results)
@@ -61,9 +49,7 @@ std::string tasks_json(const CheckResults& results)
     app::JsonWriter json;
     json.begin_array();
     for (const app::Task& task : app::tasks()) {
-        if (task.kind == app::TaskKind::task) {
-            write_task(json, task, results);
-        }
+        write_checked_task(json, task, results);
     }
     json.end_array();
     return json.take();

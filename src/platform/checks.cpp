@@ -2,6 +2,9 @@
 
 #include "platform/lab_1_checks.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace platform {
 namespace {
 
@@ -20,13 +23,31 @@ constexpr Check CHECKS[] = {
 
 } // namespace
 
+void remember(CheckResults& results, CheckResult result)
+{
+    for (CheckResult& older : results) {
+        if (older.id == result.id) {
+            older = std::move(result);
+            return;
+        }
+    }
+    results.push_back(std::move(result));
+}
+
+const CheckResult* find_result(const CheckResults& results, std::string_view id)
+{
+    const auto found = std::find_if(results.begin(), results.end(),
+                                    [id](const CheckResult& result) { return result.id == id; });
+    return found == results.end() ? nullptr : &*found;
+}
+
 std::optional<CheckResult> run_check(std::string_view id, const CheckSubject& subject)
 {
     for (const Check& check : CHECKS) {
         if (check.id == id) {
             Evidence evidence;
             check.run(subject, evidence);
-            return CheckResult{evidence.passed(), evidence.sentences()};
+            return CheckResult{std::string(id), evidence.passed(), evidence.sentences()};
         }
     }
     return std::nullopt;

@@ -2,8 +2,6 @@
 
 #include "platform/frame_capture.h"
 
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,12 +12,19 @@ namespace platform {
 /// What the check of one of the lab's tasks found.
 struct CheckResult
 {
+    std::string id; ///< of the task, such as "1.2"
     bool passed;
     std::vector<std::string> evidence; ///< sentences for people, at least one
 };
 
-/// What the last check of each task found, by its id.
-using CheckResults = std::map<std::string, CheckResult, std::less<>>;
+/// What the last check of each task found, in no order.
+using CheckResults = std::vector<CheckResult>;
+
+/// Puts a result into the others, in the place of an older one of the same task.
+void remember(CheckResults& results, CheckResult result);
+
+/// Returns the result of a task, or null.
+const CheckResult* find_result(const CheckResults& results, std::string_view id);
 
 /// Checks a task of the lab, such as "1.2": does with states of its own, by the program's commands, what a
 /// person would do, and judges the calls that drawing them made.

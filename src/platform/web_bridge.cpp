@@ -97,13 +97,19 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_capture()
     return kept(program().started() ? page().capture() : "[]");
 }
 
-/// Returns the lab's tasks, with what their last checks found (tasks_json).
+/// Returns how many draw calls the last picture took.
+EMSCRIPTEN_KEEPALIVE double tanklab_draw_calls()
+{
+    return static_cast<double>(page().draw_calls());
+}
+
+/// Returns the lab's tasks and figures, with what their last checks found (tasks_json).
 EMSCRIPTEN_KEEPALIVE const char* tanklab_tasks()
 {
     return kept(platform::tasks_json(page().check_results()));
 }
 
-/// Runs the check of a task and returns the task with what it found (task_json).
+/// Runs the check of a task, if it has one, and returns the task or figure with what it found (task_json).
 EMSCRIPTEN_KEEPALIVE const char* tanklab_check(const char* id)
 {
     if (program().started()) {

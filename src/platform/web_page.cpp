@@ -4,10 +4,12 @@
 #include "app/json.h"
 #include "platform/capture_json.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <SDL.h>
 #include <emscripten.h>
+#include <emscripten/html5.h>
 #include <legacygl/legacygl.h>
 
 namespace platform {
@@ -41,7 +43,11 @@ double seconds_now()
 
 void WebPage::add_file(std::string_view name, std::span<const std::uint8_t> bytes)
 {
-    files_[std::string(name)].assign(bytes.begin(), bytes.end());
+    const auto place =
+        std::find_if(files_.begin(), files_.end(), [name](const File& file) { return file.name == name; });
+    File& file = place == files_.end() ? files_.emplace_back() : *place;
+    file.name = name;
+    file.bytes.assign(bytes.begin(), bytes.end());
 }
 
 std::string WebPage::start(std::string_view fragment)
@@ -50,8 +56,8 @@ std::string WebPage::start(std::string_view fragment)
         return "The program runs already.";
     }
     std::vector<app::AssetFile> files;
-    for (const auto& [name, bytes] : files_) {
-        files.push_back({name, bytes});
+    for (const File& file : files_) {
+        files.push_back({file.name, file.bytes});
     }
     mesh::Result<app::Assets> assets = app::read_assets(files);
     if (!assets) {
@@ -73,13 +79,14 @@ std::string WebPage::start(std::string_view fragment)
     draw_now();
     report();
     last_frame_seconds_ = seconds_now();
-    emscripten_set_main_loop_arg(run_frame, this, 0, 0); // at the display's own rate
+    emscripten_request_animation_frame_loop(run_frame, this); // at the display's own rate
     return "";
 }
 
-void WebPage::run_frame(void* page)
+int WebPage::run_frame(double, void* page)
 {
     static_cast<WebPage*>(page)->frame();
+    return EM_TRUE; // and again
 }
 
 void WebPage::frame()
@@ -96,10 +103,20 @@ void WebPage::frame()
     if (canvas_.take_restored()) {
         program_.redraw();
     }
-    if (!canvas_.lost() && program_.draw_if_changed(canvas_.width(), canvas_.height())) {
-        legacygl_present(legacygl_current());
-    }
+    draw();
     report();
+}
+
+void WebPage::draw()
+{
+    if (canvas_.lost()) {
+        return;
+    }
+    legacygl_reset_counters(legacygl_current());
+    if (program_.draw_if_changed(canvas_.width(), canvas_.height())) {
+        legacygl_present(legacygl_current());
+        draw_calls_ = legacygl_counters(legacygl_current()).draw_calls;
+    }
 }
 
 void WebPage::report()
@@ -116,9 +133,7 @@ void WebPage::report()
 void WebPage::draw_now()
 {
     program_.redraw();
-    if (!canvas_.lost() && program_.draw_if_changed(canvas_.width(), canvas_.height())) {
-        legacygl_present(legacygl_current());
-    }
+    draw();
 }
 
 std::string WebPage::capture()
@@ -134,7 +149,7 @@ void WebPage::check(std::string_view id)
 {
     const CheckSubject subject{program_.assets(), program_.renderer(), canvas_.width(), canvas_.height()};
     if (std::optional<CheckResult> result = run_check(id, subject)) {
-        check_results_.insert_or_assign(std::string(id), *std::move(result));
+        remember(check_results_, *std::move(result));
         draw_now(); // the check drew over the picture
     }
 }

@@ -5,8 +5,6 @@
 #include "platform/web_canvas.h"
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,17 +39,28 @@ public:
     /// Draws the current state now, within the caller's own task, whether it changed or not.
     void draw_now();
 
+    /// Returns how many draw calls the last picture took.
+    std::uint64_t draw_calls() const { return draw_calls_; }
+
 private:
-    static void run_frame(void* page);
+    static int run_frame(double now, void* page);
     void frame();
+    void draw();
     void report();
 
-    std::map<std::string, std::vector<std::uint8_t>, std::less<>> files_;
+    struct File
+    {
+        std::string name;
+        std::vector<std::uint8_t> bytes;
+    };
+
+    std::vector<File> files_; // names differ
     CheckResults check_results_;
     WebCanvas canvas_;
     Program program_;
     bool canvas_open_ = false;
     double last_frame_seconds_ = 0.0;
+    std::uint64_t draw_calls_ = 0;
     bool reported_ = false;
     std::uint64_t reported_revision_ = 0;
 };

@@ -100,14 +100,16 @@ TEST(JsonTest, CommandsHaveTheirKeysGroupsAndRanges)
 
 TEST(JsonTest, TasksHaveLinksThatOpenThem)
 {
-    const JsonValue json = parsed(tasks_json());
-    ASSERT_EQ(json.items.size(), tasks().size());
-    for (std::size_t i = 0; i < json.items.size(); ++i) {
+    for (std::size_t i = 0; i < tasks().size(); ++i) {
+        JsonWriter writer;
+        writer.begin_object();
+        write_task(writer, tasks()[i]);
+        const JsonValue json = parsed(writer.end_object().take());
         State state;
-        EXPECT_TRUE(open_link(state, json[i]["link"].text).messages.empty());
+        EXPECT_TRUE(open_link(state, json["link"].text).messages.empty());
         EXPECT_EQ(state.task, i);
-        EXPECT_EQ(json[i]["id"].text, tasks()[i].id);
-        EXPECT_FALSE(json[i]["commands"].items.empty());
+        EXPECT_EQ(json["id"].text, tasks()[i].id);
+        EXPECT_FALSE(json["commands"].items.empty());
     }
 }
 

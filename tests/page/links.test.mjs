@@ -40,7 +40,7 @@ test("an address that the reader changes is loaded, and what it has wrong is sai
     await page.evaluate(() => (location.hash = "#turret=45&gun=much&colour=red&secondary_gun=500"));
     await page.waitForFunction(() => tanklab.state().turret === 45);
     await page.waitForFunction(() => document.querySelectorAll(".notice").length === 3);
-    const said = await page.evaluate(() => [...document.querySelectorAll(".notice span")].map((n) => n.textContent).join("\n"));
+    const said = await page.evaluate(() => [...document.querySelectorAll(".notice p")].map((n) => n.textContent).join("\n"));
     for (const named of ["gun", "colour", "secondary_gun"]) assert.ok(said.includes(named), said);
     const now = await state();
     assert.deepEqual([now.gun, now.secondary_gun], [0, 120]);

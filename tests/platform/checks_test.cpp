@@ -41,7 +41,7 @@ protected:
         EXPECT_EQ(renderer.load(drawn_assets), "");
         const auto result = run_check(id, {assets, renderer, SIDE, SIDE});
         EXPECT_TRUE(result.has_value());
-        return result.value_or(CheckResult{false, {}});
+        return result.value_or(CheckResult{std::string(id), false, {}});
     }
 
     std::unique_ptr<OffscreenTarget> target;

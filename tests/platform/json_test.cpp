@@ -68,11 +68,19 @@ TEST(TaskJson, HasNullUntilATaskIsChecked)
 TEST(TaskJson, HasWhatTheCheckFound)
 {
     platform::CheckResults results;
-    results.emplace("1.3", platform::CheckResult{false, {"A \"wheel\" is lost."}});
+    platform::remember(results, {"1.3", true, {"All is well."}});
+    platform::remember(results, {"1.3", false, {"A \"wheel\" is lost."}});
     EXPECT_NE(
         platform::task_json("1.3", results).find(R"("passed":false,"evidence":["A \"wheel\" is lost."])"),
         std::string::npos);
     EXPECT_NE(platform::tasks_json(results).find(R"("passed":false)"), std::string::npos);
+}
+
+TEST(TaskJson, OfAFigureHasNoVerdict)
+{
+    const std::string json = platform::task_json("5b", {});
+    EXPECT_NE(json.find(R"("kind":"figure")"), std::string::npos) << json;
+    EXPECT_NE(json.find(R"("passed":null)"), std::string::npos) << json;
 }
 
 TEST(TaskJson, OfAnUnknownTaskIsNull)

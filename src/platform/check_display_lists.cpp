@@ -35,7 +35,7 @@ void check_calls(const FrameCapture& capture, Evidence& evidence)
     std::size_t empty = 0;
     for (std::size_t i = 0; i < capture.tank_list_calls.size(); ++i) {
         ++calls[tank::index_of(capture.tank_list_calls[i].mesh)];
-        const auto of_list = capture.calls_of_list(i);
+        const auto of_list = capture.calls_of_list(capture.tank_list_calls[i]);
         empty += std::any_of(of_list.begin(), of_list.end(), makes_vertices) ? 0u : 1u;
     }
     std::string counts;

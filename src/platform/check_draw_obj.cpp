@@ -70,7 +70,7 @@ void check_mesh(const CheckSubject& subject, const FrameCapture& capture, std::s
     const std::size_t mesh = tank::index_of(capture.tank_list_calls[call].mesh);
     const mesh::ObjMesh& obj = subject.assets.high[mesh];
     Comparison comparison(obj);
-    for (const LegacyGLCall& of_list : capture.calls_of_list(call)) {
+    for (const LegacyGLCall& of_list : capture.calls_of_list(capture.tank_list_calls[call])) {
         comparison.take(of_list);
     }
     const std::string name(MESH_NAMES[mesh]);

@@ -1,6 +1,8 @@
 #include "platform/checks.h"
 
 #include "platform/lab_1_checks.h"
+#include "platform/lab_2_checks.h"
+#include "platform/lab_3_checks.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,10 +17,11 @@ struct Check
 };
 
 constexpr Check CHECKS[] = {
-    {"1.1", check_assembly},
-    {"1.2", check_joints},
-    {"1.3", check_display_lists},
-    {"1.4", check_draw_obj},
+    {"1.1", check_assembly},   {"1.2", check_joints},       {"1.3", check_display_lists},
+    {"1.4", check_draw_obj},   {"2.1", check_mesh_spheres}, {"2.2", check_sphere_hierarchy},
+    {"2.3", check_point_test}, {"2.4", check_point_shown},  {"2.5", check_line_test},
+    {"2.6", check_sparks},     {"3.1", check_low_tank},     {"3.2", check_threshold},
+    {"3.3", check_switching},
 };
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "platform/frame_capture.h"
 
-#include "app/frame.h"
 #include "tank/part_matrices.h"
 
 #include <algorithm>
@@ -18,11 +17,12 @@ glm::mat4 modelview_of(const LegacyGLCall& call)
     return matrix;
 }
 
-std::optional<tank::MeshKind> mesh_of(const scene::TankLists& lists, unsigned list)
+/// Returns the mesh whose list this is; list_of gives a mesh's list, 0 for none.
+template <class ListOf> std::optional<tank::MeshKind> mesh_of(unsigned list, ListOf list_of)
 {
     for (std::size_t i = 0; i < tank::MESH_KIND_COUNT; ++i) {
         const auto mesh = static_cast<tank::MeshKind>(i);
-        if (list != 0 && lists.list(mesh) == list) {
+        if (list != 0 && list_of(mesh) == list) {
             return mesh;
         }
     }
@@ -51,8 +51,11 @@ void digest(FrameCapture& capture, const scene::TankLists& lists)
             }
         } else if (name == "glCallList") {
             const auto list = static_cast<unsigned>(call.arguments[0]);
-            if (const std::optional<tank::MeshKind> mesh = mesh_of(lists, list)) {
+            if (const auto mesh = mesh_of(list, [&](tank::MeshKind kind) { return lists.list(kind); })) {
                 capture.tank_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i});
+            }
+            if (const auto mesh = mesh_of(list, [&](tank::MeshKind kind) { return lists.low_list(kind); })) {
+                capture.low_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i});
             }
         }
     }
@@ -79,9 +82,9 @@ bool TankListCall::stands_within(int scope) const
     return std::find(scopes.begin(), scopes.end(), scope) != scopes.end();
 }
 
-std::span<const LegacyGLCall> FrameCapture::calls_of_list(std::size_t i) const
+std::span<const LegacyGLCall> FrameCapture::calls_of_list(const TankListCall& call) const
 {
-    const std::size_t first = tank_list_calls[i].index + 1;
+    const std::size_t first = call.index + 1;
     std::size_t end = first;
     while (end < calls.size() && calls[end].list_depth > 0) {
         ++end;
@@ -91,9 +94,14 @@ std::span<const LegacyGLCall> FrameCapture::calls_of_list(std::size_t i) const
 
 FrameCapture capture_frame(const CheckSubject& subject, const app::State& state)
 {
+    return capture_frame(subject, app::make_frame(state, subject.assets));
+}
+
+FrameCapture capture_frame(const CheckSubject& subject, const app::Frame& frame)
+{
     LegacyGLContext* context = legacygl_current();
     legacygl_capture_begin(context);
-    subject.renderer.draw(app::make_frame(state, subject.assets), subject.width, subject.height);
+    subject.renderer.draw(frame, subject.width, subject.height);
     std::size_t count = 0;
     const LegacyGLCall* calls = legacygl_capture_end(context, &count);
     FrameCapture capture{};
@@ -102,22 +110,19 @@ FrameCapture capture_frame(const CheckSubject& subject, const app::State& state)
     return capture;
 }
 
-PartCalls find_part_calls(const CheckSubject& subject, const FrameCapture& capture, const app::State& state,
-                          float tolerance)
+PartCalls find_part_calls(const CheckSubject& subject, std::span<const TankListCall> calls,
+                          const app::CameraView& camera, const app::TankInFrame& tank, float tolerance)
 {
-    const app::Frame frame = app::make_frame(state, subject.assets);
-    const app::TankInFrame& tank = frame.tanks[0];
-    const glm::dmat4 view = glm::lookAt(frame.camera.eye, frame.camera.centre, frame.camera.up);
+    const glm::dmat4 view = glm::lookAt(camera.eye, camera.centre, camera.up);
     const tank::PartMatrices matrices =
         tank::part_matrices(subject.assets.layout, {tank.position}, tank.joints);
-    std::vector<bool> taken(capture.tank_list_calls.size(), false);
+    std::vector<bool> taken(calls.size(), false);
     PartCalls found{};
     for (tank::Part part : tank::ALL_PARTS) {
         const glm::mat4 expected(view * glm::dmat4(matrices.mesh(part)));
-        for (std::size_t i = 0; i < capture.tank_list_calls.size(); ++i) {
-            const TankListCall& call = capture.tank_list_calls[i];
-            if (!taken[i] && call.mesh == subject.assets.layout[part].mesh &&
-                nearly_equal(call.modelview, expected, tolerance)) {
+        for (std::size_t i = 0; i < calls.size(); ++i) {
+            if (!taken[i] && calls[i].mesh == subject.assets.layout[part].mesh &&
+                nearly_equal(calls[i].modelview, expected, tolerance)) {
                 taken[i] = true;
                 found[tank::index_of(part)] = i;
                 break;
@@ -125,6 +130,13 @@ PartCalls find_part_calls(const CheckSubject& subject, const FrameCapture& captu
         }
     }
     return found;
+}
+
+PartCalls find_part_calls(const CheckSubject& subject, const FrameCapture& capture, const app::State& state,
+                          float tolerance)
+{
+    const app::Frame frame = app::make_frame(state, subject.assets);
+    return find_part_calls(subject, capture.tank_list_calls, frame.camera, frame.tanks[0], tolerance);
 }
 
 std::size_t found_count(const PartCalls& calls)

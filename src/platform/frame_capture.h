@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/assets.h"
+#include "app/frame.h"
 #include "app/state.h"
 #include "scene/scene_renderer.h"
 #include "tank/part.h"
@@ -44,14 +45,18 @@ struct TankListCall
 struct FrameCapture
 {
     std::span<const LegacyGLCall> calls;       ///< valid until the next frame is captured
-    std::vector<TankListCall> tank_list_calls; ///< in their order
+    std::vector<TankListCall> tank_list_calls; ///< of the high tank, in their order
+    std::vector<TankListCall> low_list_calls;  ///< of the low tank
     bool matrix_stack_balanced;                ///< as many pops as pushes, and never more
 
-    /// Returns the calls that the list made which tank_list_calls[i] called.
-    std::span<const LegacyGLCall> calls_of_list(std::size_t i) const;
+    /// Returns the calls that the list made which one of these called.
+    std::span<const LegacyGLCall> calls_of_list(const TankListCall& call) const;
 };
 
-/// Draws a state once and notes what was called. Precondition: legacygl has a current context.
+/// Draws a frame and notes what was called. Precondition: legacygl has a current context.
+FrameCapture capture_frame(const CheckSubject& subject, const app::Frame& frame);
+
+/// Draws what a state says by itself, without what a Simulation finds out about it.
 FrameCapture capture_frame(const CheckSubject& subject, const app::State& state);
 
 /// For each part, which of the frame's list calls drew it.
@@ -60,6 +65,11 @@ using PartCalls = std::array<std::optional<std::size_t>, tank::PART_COUNT>;
 /// Finds for each part the call of its mesh's list under view * part_matrices(...).mesh(part).
 /// Entries differ by at most `tolerance` (metres, and for the rotation as much); a call is found once.
 PartCalls find_part_calls(const CheckSubject& subject, const FrameCapture& capture, const app::State& state,
+                          float tolerance = 2e-4f);
+
+/// Does the same for one tank of a frame, among calls of either model's lists.
+PartCalls find_part_calls(const CheckSubject& subject, std::span<const TankListCall> calls,
+                          const app::CameraView& camera, const app::TankInFrame& tank,
                           float tolerance = 2e-4f);
 
 /// Returns how many parts were found.

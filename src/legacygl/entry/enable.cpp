@@ -77,10 +77,11 @@ GLboolean glIsEnabled(GLenum cap)
     dispatch_now(
         __func__,
         [&enabled](Context& gl, GLenum c) {
-            const Capability found = find_capability(gl.state, c);
-            if (!found.flag)
+            const ClientArray* array = gl.client_arrays.find(c, gl.state.texturing.client_active);
+            const bool* flag = array ? &array->enabled : find_capability(gl.state, c).flag;
+            if (!flag)
                 return gl.set_error(GL_INVALID_ENUM);
-            enabled = *found.flag;
+            enabled = *flag;
         },
         cap);
     return enabled;

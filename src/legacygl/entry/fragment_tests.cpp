@@ -161,7 +161,7 @@ void glStencilFunc(GLenum func, GLint ref, GLuint mask)
                 return gl.set_error(GL_INVALID_ENUM);
             StencilState& stencil = gl.state.fragment.stencil;
             stencil.func = f;
-            stencil.reference = r;
+            stencil.reference = std::clamp(r, 0, 255); // Of eight bits.
             stencil.value_mask = m;
             gl.renderer.changed(Renderer::pipeline);
         },
@@ -182,6 +182,17 @@ void glStencilOp(GLenum fail, GLenum zfail, GLenum zpass)
             gl.renderer.changed(Renderer::pipeline);
         },
         fail, zfail, zpass);
+}
+
+void glSampleCoverage(GLclampf value, GLboolean invert)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, float v, GLboolean i) {
+            gl.state.multisample.coverage_value = std::clamp(v, 0.0f, 1.0f);
+            gl.state.multisample.coverage_invert = i != GL_FALSE;
+        },
+        value, invert);
 }
 
 } // extern "C"

@@ -1,26 +1,11 @@
 // Queries (OpenGL 1.5, 6.1).
 
-#include "legacygl/query.h"
-
 #include "legacygl/dispatch.h"
-
-#include <cmath>
+#include "legacygl/query_convert.h"
 
 using namespace legacygl;
 
 namespace {
-
-template <class T> T convert(QueryValue::Kind kind, double value)
-{
-    if constexpr (std::is_same_v<T, GLboolean>)
-        return value != 0 ? GL_TRUE : GL_FALSE;
-    else if constexpr (std::is_same_v<T, GLint>)
-        // A fraction is spread over all integers, the greatest for 1 (OpenGL 1.5, 6.1.2).
-        return kind == QueryValue::Kind::fraction ? static_cast<GLint>(value * 2147483647.0)
-                                                  : static_cast<GLint>(std::lround(value));
-    else
-        return static_cast<T>(value);
-}
 
 template <class T> void get(const char* entry, GLenum name, T* params)
 {
@@ -30,8 +15,7 @@ template <class T> void get(const char* entry, GLenum name, T* params)
             const QueryValue value = query(gl, n);
             if (value.count == 0)
                 return gl.set_error(GL_INVALID_ENUM);
-            for (int i = 0; i < value.count; ++i)
-                params[i] = convert<T>(value.kind, value.values[i]);
+            write_values(value, params);
         },
         name);
 }

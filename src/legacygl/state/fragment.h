@@ -28,11 +28,11 @@ struct StencilState
     bool enabled = false;
     GLenum func = GL_ALWAYS;
     GLint reference = 0;
-    GLuint value_mask = ~0u;
+    GLuint value_mask = 0xff;
     GLenum fail = GL_KEEP;
     GLenum depth_fail = GL_KEEP;
     GLenum depth_pass = GL_KEEP;
-    GLuint write_mask = ~0u;
+    GLuint write_mask = 0xff;
     bool operator==(const StencilState&) const = default;
 };
 

@@ -1,0 +1,23 @@
+# The page that scripts/bench opens, in ${CMAKE_CURRENT_BINARY_DIR}/page. The emulation fails as an ES module, so
+# both programs are plain scripts.
+set(site ${CMAKE_CURRENT_BINARY_DIR}/page)
+function(add_bench_page name export)
+  add_executable(${name} page_main.cpp ${ARGN})
+  target_include_directories(${name} PRIVATE .)
+  target_link_options(${name} PRIVATE -sMODULARIZE -sEXPORT_NAME=${export} -sENVIRONMENT=web -sALLOW_MEMORY_GROWTH
+    -sEXPORTED_RUNTIME_METHODS=ccall --no-entry)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${site})
+endfunction()
+add_bench_page(opengl_bench createLegacygl immediate.cpp lists.cpp)
+target_link_libraries(opengl_bench PRIVATE legacygl)
+target_link_options(opengl_bench PRIVATE -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sGL_TRACK_ERRORS=0)
+
+add_bench_page(opengl_bench_emscripten createEmscripten immediate.cpp)
+target_compile_definitions(opengl_bench_emscripten PRIVATE BENCH_EMSCRIPTEN)
+target_link_options(opengl_bench_emscripten PRIVATE -sLEGACY_GL_EMULATION)
+
+set(page_files index.html page.js webgl_lists.js)
+list(TRANSFORM page_files PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/page/)
+set_target_properties(opengl_bench PROPERTIES LINK_DEPENDS "${page_files}")
+add_custom_command(TARGET opengl_bench POST_BUILD
+  COMMAND ${CMAKE_COMMAND} -E copy ${page_files} ${site})

@@ -1,0 +1,22 @@
+# Puts the mutant named by TANKLAB_MUTANT into the library that its file belongs to.
+include(${CMAKE_CURRENT_LIST_DIR}/mutants.cmake)
+
+function(tanklab_mutant id file fault old new)
+  if(NOT id STREQUAL TANKLAB_MUTANT)
+    return()
+  endif()
+  tanklab_write_mutant(${PROJECT_BINARY_DIR}/mutant/${id} ${file} "${old}" "${new}" copy)
+  get_filename_component(library ${file} DIRECTORY)
+  get_filename_component(name ${file} NAME)
+  get_target_property(sources ${library} SOURCES)
+  list(TRANSFORM sources REPLACE "^${name}$" "${copy}")
+  set_target_properties(${library} PROPERTIES SOURCES "${sources}")
+  set_property(GLOBAL PROPERTY tanklab_mutant_found TRUE)
+  message(WARNING "This build is faulty on purpose: ${fault}")
+endfunction()
+tanklab_for_each_mutant()
+
+get_property(found GLOBAL PROPERTY tanklab_mutant_found)
+if(NOT found)
+  message(FATAL_ERROR "There is no mutant ${TANKLAB_MUTANT}; tests/mutants/mutants.cmake names them.")
+endif()

@@ -128,6 +128,16 @@ void write_state(JsonWriter& json, const State& state)
     write_task_id(json, state, TaskKind::figure);
 }
 
+/// Returns sixteen digits. A number of 64 bits has no place in JavaScript's.
+std::string in_hexadecimal(std::uint64_t value)
+{
+    std::string digits(16, '0');
+    for (std::size_t i = digits.size(); i > 0; --i, value >>= 4) {
+        digits[i - 1] = "0123456789abcdef"[value & 15];
+    }
+    return digits;
+}
+
 void write_projectile(JsonWriter& json, const Simulation& simulation)
 {
     const State& state = simulation.state();
@@ -154,6 +164,7 @@ void write_projectile(JsonWriter& json, const Simulation& simulation)
     }
     json.key("sparks").number(alight);
     json.key("level_switches").number(simulation.level_switches());
+    json.key("hash").string(in_hexadecimal(simulation.hash()));
 }
 
 void write_hits(JsonWriter& json, const Simulation& simulation)

@@ -18,7 +18,8 @@ std::string state_json(const State& state, const Assets* assets);
 
 /// Returns the same for a running simulation, and besides: `hits`, as hits_json() but without its log;
 /// `event` (none, open or fire), `shot` (where it is, or null), `inside` (the parts whose spheres the
-/// projectile is inside of), `touches`, `sparks` (how many are alight), `level_switches`; and `evidence`,
+/// projectile is inside of), `touches`, `sparks` (how many are alight), `level_switches`, `hash`
+/// (Simulation::hash() in hexadecimal); and `evidence`,
 /// what shows live that the task is done, as {label, value} (see facts()).
 std::string state_json(const Simulation& simulation);
 

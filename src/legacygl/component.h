@@ -1,6 +1,7 @@
 #pragma once
 
 #include <GL/gl.h>
+#include <glm/vec4.hpp>
 
 #include <type_traits>
 
@@ -22,6 +23,18 @@ template <class T> constexpr float component(T value)
         else
             return static_cast<float>((2.0 * static_cast<double>(value) + 1.0) / greatest);
     }
+}
+
+/// Converts a coordinate's component to a float: integers stand for themselves.
+template <class T> constexpr float number(T value)
+{
+    return static_cast<float>(value);
+}
+
+/// A vector of up to four components; those left out are (0, 0, 0, 1)'s.
+constexpr glm::vec4 vector_of(float x, float y = 0, float z = 0, float w = 1)
+{
+    return {x, y, z, w};
 }
 
 } // namespace legacygl

@@ -3,21 +3,36 @@
 #include "legacygl/context.h"
 #include "legacygl/dispatch.h"
 
+#include <optional>
+
 namespace legacygl {
 namespace {
 
-constexpr std::array<const char*, ATTRIBUTE_COUNT> ATTRIBUTE_CALLS = {
-    "glVertex4f",  "glNormal3f",   "glColor4f",        "glSecondaryColor3f",
-    "glFogCoordf", "glTexCoord4f", "glMultiTexCoord4f"};
+/// What an attribute is noted as for a capture.
+struct NotedCall
+{
+    const char* name;
+    int arguments;
+};
+constexpr std::array<NotedCall, ATTRIBUTE_COUNT> NOTED_CALLS = {{{"glVertex4f", 4},
+                                                                 {"glNormal3f", 3},
+                                                                 {"glColor4f", 4},
+                                                                 {"glSecondaryColor3f", 3},
+                                                                 {"glFogCoordf", 1},
+                                                                 {"glTexCoord4f", 4},
+                                                                 {"glMultiTexCoord4f", 4}}};
 
 bool was_set(const VertexBatch& batch, int i)
 {
     return batch.attributes_set & (1u << i);
 }
 
+/// Returns what a vertex has of an attribute: its own value, or the one that is the same for all.
 glm::vec4 value_of(const VertexBatch& batch, std::uint32_t vertex, int attribute)
 {
     const int components = batch.format.components[attribute];
+    if (components == 0)
+        return batch.last[attribute];
     const float* v = batch.vertices.data() + static_cast<std::size_t>(vertex) * batch.format.floats() +
                      batch.format.offset(static_cast<Attribute>(attribute));
     glm::vec4 value = {0, 0, 0, 1};
@@ -42,6 +57,8 @@ void set_last(Context& gl, const VertexBatch& batch)
                                    batch.last[i]);
 }
 
+/// Gives each vertex with all attributes that the list had set by then, however often it set them. Those that
+/// are the same for every vertex come with 0 components.
 template <class Begin, class End, class SetAttribute, class Vertex>
 void visit(const VertexBatch& batch, Begin begin, End end, SetAttribute set, Vertex vertex)
 {
@@ -50,7 +67,7 @@ void visit(const VertexBatch& batch, Begin begin, End end, SetAttribute set, Ver
             begin(primitive.mode);
         for (std::uint32_t v = primitive.first; v < primitive.first + primitive.count; ++v) {
             for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-                if (batch.format.components[i] != 0 && v >= batch.unset_before[i])
+                if (was_set(batch, i) && v >= batch.unset_before[i])
                     set(static_cast<Attribute>(i), batch.format.components[i], value_of(batch, v, i));
             vertex(batch.format.components[0], value_of(batch, v, 0));
         }
@@ -59,25 +76,41 @@ void visit(const VertexBatch& batch, Begin begin, End end, SetAttribute set, Ver
     }
 }
 
+void note_call(Context& gl, Attribute attribute, const glm::vec4& v)
+{
+    const NotedCall& call = NOTED_CALLS[index_of(attribute)];
+    if (attribute == Attribute::texture_coordinate_1)
+        return gl.note(call.name, static_cast<GLenum>(GL_TEXTURE1), v.x, v.y, v.z, v.w);
+    if (call.arguments == 1)
+        return gl.note(call.name, v.x);
+    if (call.arguments == 3)
+        return gl.note(call.name, v.x, v.y, v.z);
+    gl.note(call.name, v.x, v.y, v.z, v.w);
+}
+
 void note_calls(Context& gl, const VertexBatch& batch)
 {
-    const auto note_vector = [&gl](const char* name, const glm::vec4& v, int n) {
-        std::array<float, 4> values = {v.x, v.y, v.z, v.w};
-        n == 3 ? gl.note(name, values[0], values[1], values[2]) : gl.note(name, values);
-    };
+    std::array<std::optional<glm::vec4>, ATTRIBUTE_COUNT> noted;
     visit(
         batch, [&](GLenum mode) { gl.note("glBegin", mode); }, [&] { gl.note("glEnd"); },
-        [&](Attribute a, int n, const glm::vec4& v) {
-            note_vector(ATTRIBUTE_CALLS[index_of(a)], v, n == 3 ? 3 : 4);
+        [&](Attribute a, int, const glm::vec4& v) {
+            note_call(gl, a, v);
+            noted[index_of(a)] = v;
         },
-        [&](int, const glm::vec4& v) { note_vector(ATTRIBUTE_CALLS[0], v, 4); });
+        [&](int, const glm::vec4& v) { note_call(gl, Attribute::position, v); });
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i) // What was set after the last vertex.
+        if (was_set(batch, i) && noted[i] != batch.last[i])
+            note_call(gl, static_cast<Attribute>(i), batch.last[i]);
 }
 
 void replay_vertices(Context& gl, const VertexBatch& batch)
 {
     visit(
         batch, [&](GLenum mode) { gl.begin(mode); }, [&] { gl.end(); },
-        [&](Attribute a, int n, const glm::vec4& v) { gl.immediate.attribute(a, n, v); },
+        [&](Attribute a, int n, const glm::vec4& v) {
+            if (n != 0)
+                gl.immediate.attribute(a, n, v);
+        },
         [&](int n, const glm::vec4& v) { gl.immediate.vertex(n, v); });
 }
 

@@ -39,6 +39,7 @@ void VertexAssembler::end()
         resume(UNKNOWN_MODE);
     close_primitive(true);
     inside_ = false;
+    room_ = 0;
 }
 
 void VertexAssembler::close_primitive(bool ends)
@@ -70,11 +71,44 @@ void VertexAssembler::clear()
     batch_.vertex_count = 0;
     first_ = 0;
     began_here_ = false;
+    room_ = 0;
 }
 
-void VertexAssembler::grow()
+/// Finds room for one more vertex at least.
+void VertexAssembler::make_room()
 {
-    batch_.vertices.resize(std::max<std::size_t>(1024, batch_.vertices.size() * 2) + floats_);
+    const std::size_t used = static_cast<std::size_t>(batch_.vertex_count) * floats_;
+    if (used + floats_ > batch_.vertices.size())
+        batch_.vertices.resize(std::max<std::size_t>(1024, batch_.vertices.size() * 2) + floats_);
+    next_ = batch_.vertices.data() + used;
+    room_ = static_cast<std::uint32_t>((batch_.vertices.size() - used) / floats_);
+}
+
+/// Makes the next vertex possible; false: there is none, being outside of a primitive.
+bool VertexAssembler::prepare_vertex(int components, glm::vec4 position)
+{
+    if (!inside_) {
+        if (use_ == Use::immediate)
+            return false; // Undefined by the specification; nothing is drawn.
+        resume(UNKNOWN_MODE);
+    }
+    if (batch_.format.components[0] < components)
+        widen(Attribute::position, components, position);
+    make_room();
+    return true;
+}
+
+/// Sets an attribute that the format has no room for: it widens the format, or is one for all vertices.
+void VertexAssembler::set_other(Attribute attribute, int components, glm::vec4 value)
+{
+    const int i = index_of(attribute);
+    if (has_vertices() && (wanted_ & (1u << i)) && !fits(i, components, value))
+        widen(attribute, components, value);
+    batch_.attributes_set |= 1u << i;
+    (*current_)[i] = value;
+    float* slot = template_.data() + offsets_[i];
+    for (int c = 0; c < batch_.format.components[i]; ++c)
+        slot[c] = value[c];
 }
 
 void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value)
@@ -118,10 +152,11 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
         batch_.vertices.resize(static_cast<std::size_t>(batch_.vertex_count + 1) * floats_ * 2);
     for (std::size_t v = batch_.vertex_count; v-- > 0;) {
         convert(batch_.vertices.data() + v * old_floats, widened.data());
-        std::memcpy(batch_.vertices.data() + v * floats_, widened.data(), sizeof(float) * floats_);
+        std::copy_n(widened.data(), floats_, batch_.vertices.data() + v * floats_);
     }
     for (int a = 0; a < ATTRIBUTE_COUNT; ++a)
         offsets_[a] = batch_.format.offset(static_cast<Attribute>(a));
+    room_ = 0; // Vertices lie elsewhere now.
 }
 
 } // namespace legacygl

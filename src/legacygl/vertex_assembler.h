@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -73,33 +72,36 @@ public:
     bool inside() const { return inside_; }
     GLenum mode() const { return mode_; }
 
+    /// Sets a current value; `components` of it were given, the others are the defaults.
     void attribute(Attribute attribute, int components, glm::vec4 value)
     {
         const int i = index_of(attribute);
-        if (has_vertices() && (wanted_ & (1u << i)) && !fits(i, components, value))
-            widen(attribute, components, value);
-        batch_.attributes_set |= 1u << i;
+        const int present = batch_.format.components[i];
+        if (present < components) [[unlikely]]
+            return set_other(attribute, components, value);
         (*current_)[i] = value;
         float* slot = template_.data() + offsets_[i];
-        for (int c = 0; c < batch_.format.components[i]; ++c)
+        for (int c = 0; c < components; ++c)
+            slot[c] = value[c];
+        for (int c = components; c < present; ++c)
             slot[c] = value[c];
     }
 
     void vertex(int components, glm::vec4 position)
     {
-        if (!inside_) {
-            if (use_ == Use::immediate)
-                return; // Undefined by the specification; nothing is drawn.
-            resume(UNKNOWN_MODE);
-        }
-        if (batch_.format.components[0] < components)
-            widen(Attribute::position, components, position);
-        for (int c = 0; c < batch_.format.components[0]; ++c)
-            template_[c] = position[c];
-        const std::size_t used = static_cast<std::size_t>(batch_.vertex_count) * floats_;
-        if (used + floats_ > batch_.vertices.size())
-            grow();
-        std::memcpy(batch_.vertices.data() + used, template_.data(), sizeof(float) * floats_);
+        if (room_ == 0 || batch_.format.components[0] < components) [[unlikely]]
+            if (!prepare_vertex(components, position))
+                return;
+        const int present = batch_.format.components[0];
+        float* out = next_;
+        for (int c = 0; c < components; ++c)
+            out[c] = position[c];
+        for (int c = components; c < present; ++c)
+            out[c] = position[c];
+        for (int c = present; c < floats_; ++c)
+            out[c] = template_[c];
+        next_ += floats_;
+        --room_;
         ++batch_.vertex_count;
     }
 
@@ -118,9 +120,11 @@ private:
         const int present = batch_.format.components[i];
         return present ? components <= present : known(i) && (*current_)[i] == value;
     }
+    void set_other(Attribute attribute, int components, glm::vec4 value);
+    bool prepare_vertex(int components, glm::vec4 position);
     void widen(Attribute attribute, int components, glm::vec4 value);
     void close_primitive(bool ends);
-    void grow();
+    void make_room();
 
     CurrentAttributes* current_;
     Use use_;
@@ -128,6 +132,8 @@ private:
     std::array<float, MAXIMUM_VERTEX_FLOATS> template_{};
     std::array<int, ATTRIBUTE_COUNT> offsets_{};
     int floats_ = 0;
+    float* next_ = nullptr;  ///< Where the next vertex goes, if there is room.
+    std::uint32_t room_ = 0; ///< How many vertices fit there; 0 outside of a primitive.
     std::uint32_t wanted_ = ~0u;
     bool inside_ = false;
     bool began_here_ = false;

@@ -61,6 +61,60 @@ TEST_F(Capture, NotesWhatListsDoWithTheirNesting)
     EXPECT_EQ(calls.back().list_depth, 2);
 }
 
+TEST_F(Capture, NotesTheArgumentsThatWereGivenAndNoOthers)
+{
+    const auto calls = captured(
+        [](GLuint) {
+            glBegin(GL_POINTS);
+            glColor3ub(255, 0, 7);
+            glTexCoord1f(0.5f);
+            glMultiTexCoord2f(GL_TEXTURE1, 3, 4);
+            const GLshort place[] = {5, 6, 7};
+            glVertex3sv(place);
+            glEnd();
+        },
+        0);
+    const auto arguments = [&](std::size_t call) {
+        return std::vector<double>(calls[call].arguments, calls[call].arguments + calls[call].argument_count);
+    };
+    ASSERT_EQ(names(calls), (std::vector<std::string>{"glBegin", "glColor3ub", "glTexCoord1f",
+                                                      "glMultiTexCoord2f", "glVertex3sv", "glEnd"}));
+    EXPECT_EQ(arguments(1), (std::vector<double>{255, 0, 7}));
+    EXPECT_EQ(arguments(2), (std::vector<double>{0.5}));
+    EXPECT_EQ(arguments(3), (std::vector<double>{GL_TEXTURE1, 3, 4}));
+    EXPECT_EQ(arguments(4), (std::vector<double>{5, 6, 7}));
+}
+
+TEST_F(Capture, NotesWhatAListHoldsConstantWithEachOfItsVertices)
+{
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    glBegin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i) {
+        glNormal3f(0, 1, 0);
+        glVertex2f(static_cast<float>(i), 0);
+    }
+    glEnd();
+    glColor3f(1, 0, 0);
+    glEndList();
+    const auto calls = captured([](GLuint l) { glCallList(l); }, list);
+    EXPECT_EQ(names(calls),
+              (std::vector<std::string>{"glCallList", "glBegin", "glNormal3f", "glVertex4f", "glNormal3f",
+                                        "glVertex4f", "glNormal3f", "glVertex4f", "glEnd", "glColor4f"}));
+    EXPECT_EQ(calls[6].arguments[1], 1.0);
+    EXPECT_EQ(calls.back().arguments[0], 1.0);
+}
+
+TEST_F(Capture, NotesAListThatOnlySetsACurrentValue)
+{
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    glNormal3f(0, 1, 0);
+    glEndList();
+    const auto calls = captured([](GLuint l) { glCallList(l); }, list);
+    EXPECT_EQ(names(calls), (std::vector<std::string>{"glCallList", "glNormal3f"}));
+}
+
 TEST_F(Capture, NotesNothingWhenItIsOff)
 {
     triangle();

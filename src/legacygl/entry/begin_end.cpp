@@ -7,29 +7,34 @@ using namespace legacygl;
 
 namespace {
 
-void vertex(const char* name, int components, glm::vec4 v)
+template <class... T> void vertex(const char* name, T... values)
+{
+    dispatch_vertex(
+        name, [](VertexAssembler& to, T... v) { to.vertex(sizeof...(T), vector_of(number(v)...)); },
+        values...);
+}
+
+/// Sets a colour or a normal, whose integers stand for fractions.
+template <Attribute attribute, class... T> void fractions(const char* name, T... values)
 {
     dispatch_vertex(
         name,
-        [](VertexAssembler& to, int n, float x, float y, float z, float w) {
-            to.vertex(n, {x, y, z, w});
+        [](VertexAssembler& to, T... v) {
+            to.attribute(attribute, sizeof...(T), vector_of(component(v)...));
         },
-        components, v.x, v.y, v.z, v.w);
+        values...);
 }
 
-template <Attribute attribute> void current(const char* name, int components, glm::vec4 v)
+/// Sets texture coordinates; a vertex has two at least.
+template <class... T> void tex_coord(const char* name, T... values)
 {
+    constexpr int COMPONENTS = sizeof...(T) < 2 ? 2 : sizeof...(T);
     dispatch_vertex(
         name,
-        [](VertexAssembler& to, int n, float x, float y, float z, float w) {
-            to.attribute(attribute, n, {x, y, z, w});
+        [](VertexAssembler& to, T... v) {
+            to.attribute(Attribute::texture_coordinate_0, COMPONENTS, vector_of(number(v)...));
         },
-        components, v.x, v.y, v.z, v.w);
-}
-
-constexpr float number(auto value)
-{
-    return static_cast<float>(value);
+        values...);
 }
 
 } // namespace
@@ -69,27 +74,27 @@ void glEnd()
 #define VERTEX(suffix, type)                                                                                 \
     void glVertex2##suffix(type x, type y)                                                                   \
     {                                                                                                        \
-        vertex("glVertex2" #suffix, 2, {number(x), number(y), 0, 1});                                        \
+        vertex("glVertex2" #suffix, x, y);                                                                   \
     }                                                                                                        \
     void glVertex3##suffix(type x, type y, type z)                                                           \
     {                                                                                                        \
-        vertex("glVertex3" #suffix, 3, {number(x), number(y), number(z), 1});                                \
+        vertex("glVertex3" #suffix, x, y, z);                                                                \
     }                                                                                                        \
     void glVertex4##suffix(type x, type y, type z, type w)                                                   \
     {                                                                                                        \
-        vertex("glVertex4" #suffix, 4, {number(x), number(y), number(z), number(w)});                        \
+        vertex("glVertex4" #suffix, x, y, z, w);                                                             \
     }                                                                                                        \
     void glVertex2##suffix##v(const type* v)                                                                 \
     {                                                                                                        \
-        vertex("glVertex2" #suffix "v", 2, {number(v[0]), number(v[1]), 0, 1});                              \
+        vertex("glVertex2" #suffix "v", v[0], v[1]);                                                         \
     }                                                                                                        \
     void glVertex3##suffix##v(const type* v)                                                                 \
     {                                                                                                        \
-        vertex("glVertex3" #suffix "v", 3, {number(v[0]), number(v[1]), number(v[2]), 1});                   \
+        vertex("glVertex3" #suffix "v", v[0], v[1], v[2]);                                                   \
     }                                                                                                        \
     void glVertex4##suffix##v(const type* v)                                                                 \
     {                                                                                                        \
-        vertex("glVertex4" #suffix "v", 4, {number(v[0]), number(v[1]), number(v[2]), number(v[3])});        \
+        vertex("glVertex4" #suffix "v", v[0], v[1], v[2], v[3]);                                             \
     }
 VERTEX(s, GLshort)
 VERTEX(i, GLint)
@@ -100,12 +105,11 @@ VERTEX(d, GLdouble)
 #define NORMAL(suffix, type)                                                                                 \
     void glNormal3##suffix(type x, type y, type z)                                                           \
     {                                                                                                        \
-        current<Attribute::normal>("glNormal3" #suffix, 3, {component(x), component(y), component(z), 1});   \
+        fractions<Attribute::normal>("glNormal3" #suffix, x, y, z);                                          \
     }                                                                                                        \
     void glNormal3##suffix##v(const type* v)                                                                 \
     {                                                                                                        \
-        current<Attribute::normal>("glNormal3" #suffix "v", 3,                                               \
-                                   {component(v[0]), component(v[1]), component(v[2]), 1});                  \
+        fractions<Attribute::normal>("glNormal3" #suffix "v", v[0], v[1], v[2]);                             \
     }
 NORMAL(b, GLbyte)
 NORMAL(s, GLshort)
@@ -117,22 +121,19 @@ NORMAL(d, GLdouble)
 #define COLOR(suffix, type)                                                                                  \
     void glColor3##suffix(type r, type g, type b)                                                            \
     {                                                                                                        \
-        current<Attribute::color>("glColor3" #suffix, 3, {component(r), component(g), component(b), 1});     \
+        fractions<Attribute::color>("glColor3" #suffix, r, g, b);                                            \
     }                                                                                                        \
     void glColor4##suffix(type r, type g, type b, type a)                                                    \
     {                                                                                                        \
-        current<Attribute::color>("glColor4" #suffix, 4,                                                     \
-                                  {component(r), component(g), component(b), component(a)});                 \
+        fractions<Attribute::color>("glColor4" #suffix, r, g, b, a);                                         \
     }                                                                                                        \
     void glColor3##suffix##v(const type* v)                                                                  \
     {                                                                                                        \
-        current<Attribute::color>("glColor3" #suffix "v", 3,                                                 \
-                                  {component(v[0]), component(v[1]), component(v[2]), 1});                   \
+        fractions<Attribute::color>("glColor3" #suffix "v", v[0], v[1], v[2]);                               \
     }                                                                                                        \
     void glColor4##suffix##v(const type* v)                                                                  \
     {                                                                                                        \
-        current<Attribute::color>("glColor4" #suffix "v", 4,                                                 \
-                                  {component(v[0]), component(v[1]), component(v[2]), component(v[3])});     \
+        fractions<Attribute::color>("glColor4" #suffix "v", v[0], v[1], v[2], v[3]);                         \
     }
 COLOR(b, GLbyte)
 COLOR(s, GLshort)
@@ -147,40 +148,35 @@ COLOR(ui, GLuint)
 #define TEX_COORD(suffix, type)                                                                              \
     void glTexCoord1##suffix(type s)                                                                         \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord1" #suffix, 2, {number(s), 0, 0, 1});            \
+        tex_coord("glTexCoord1" #suffix, s);                                                                 \
     }                                                                                                        \
     void glTexCoord2##suffix(type s, type t)                                                                 \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord2" #suffix, 2, {number(s), number(t), 0, 1});    \
+        tex_coord("glTexCoord2" #suffix, s, t);                                                              \
     }                                                                                                        \
     void glTexCoord3##suffix(type s, type t, type r)                                                         \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord3" #suffix, 3,                                   \
-                                                 {number(s), number(t), number(r), 1});                      \
+        tex_coord("glTexCoord3" #suffix, s, t, r);                                                           \
     }                                                                                                        \
     void glTexCoord4##suffix(type s, type t, type r, type q)                                                 \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord4" #suffix, 4,                                   \
-                                                 {number(s), number(t), number(r), number(q)});              \
+        tex_coord("glTexCoord4" #suffix, s, t, r, q);                                                        \
     }                                                                                                        \
     void glTexCoord1##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord1" #suffix "v", 2, {number(v[0]), 0, 0, 1});     \
+        tex_coord("glTexCoord1" #suffix "v", v[0]);                                                          \
     }                                                                                                        \
     void glTexCoord2##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord2" #suffix "v", 2,                               \
-                                                 {number(v[0]), number(v[1]), 0, 1});                        \
+        tex_coord("glTexCoord2" #suffix "v", v[0], v[1]);                                                    \
     }                                                                                                        \
     void glTexCoord3##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord3" #suffix "v", 3,                               \
-                                                 {number(v[0]), number(v[1]), number(v[2]), 1});             \
+        tex_coord("glTexCoord3" #suffix "v", v[0], v[1], v[2]);                                              \
     }                                                                                                        \
     void glTexCoord4##suffix##v(const type* v)                                                               \
     {                                                                                                        \
-        current<Attribute::texture_coordinate_0>("glTexCoord4" #suffix "v", 4,                               \
-                                                 {number(v[0]), number(v[1]), number(v[2]), number(v[3])});  \
+        tex_coord("glTexCoord4" #suffix "v", v[0], v[1], v[2], v[3]);                                        \
     }
 TEX_COORD(s, GLshort)
 TEX_COORD(i, GLint)

@@ -9,18 +9,16 @@ using namespace legacygl;
 
 namespace {
 
-constexpr float number(auto value)
+/// Sets a unit's texture coordinates; a vertex has two at least.
+template <class... T> void multi_tex_coord(const char* name, GLenum unit, T... values)
 {
-    return static_cast<float>(value);
-}
-
-void multi_tex_coord(const char* name, GLenum unit, int components, glm::vec4 v)
-{
-    const auto set = [](VertexAssembler& to, GLenum u, int n, float s, float t, float r, float q) {
+    constexpr int COMPONENTS = sizeof...(T) < 2 ? 2 : sizeof...(T);
+    const auto set = [](VertexAssembler& to, GLenum u, T... v) {
         if (u >= GL_TEXTURE0 && u < GL_TEXTURE0 + TEXTURE_UNIT_COUNT)
-            to.attribute(texture_coordinate(static_cast<int>(u - GL_TEXTURE0)), n, {s, t, r, q});
+            to.attribute(texture_coordinate(static_cast<int>(u - GL_TEXTURE0)), COMPONENTS,
+                         vector_of(number(v)...));
     };
-    dispatch_vertex(name, set, unit, components, v.x, v.y, v.z, v.w);
+    dispatch_vertex(name, set, unit, values...);
 }
 
 void secondary_color(const char* name, float r, float g, float b)
@@ -50,37 +48,35 @@ extern "C" {
 #define MULTI_TEX_COORD(suffix, type)                                                                        \
     void glMultiTexCoord1##suffix(GLenum unit, type s)                                                       \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord1" #suffix, unit, 2, {number(s), 0, 0, 1});                          \
+        multi_tex_coord("glMultiTexCoord1" #suffix, unit, s);                                                \
     }                                                                                                        \
     void glMultiTexCoord2##suffix(GLenum unit, type s, type t)                                               \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord2" #suffix, unit, 2, {number(s), number(t), 0, 1});                  \
+        multi_tex_coord("glMultiTexCoord2" #suffix, unit, s, t);                                             \
     }                                                                                                        \
     void glMultiTexCoord3##suffix(GLenum unit, type s, type t, type r)                                       \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord3" #suffix, unit, 3, {number(s), number(t), number(r), 1});          \
+        multi_tex_coord("glMultiTexCoord3" #suffix, unit, s, t, r);                                          \
     }                                                                                                        \
     void glMultiTexCoord4##suffix(GLenum unit, type s, type t, type r, type q)                               \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord4" #suffix, unit, 4, {number(s), number(t), number(r), number(q)});  \
+        multi_tex_coord("glMultiTexCoord4" #suffix, unit, s, t, r, q);                                       \
     }                                                                                                        \
     void glMultiTexCoord1##suffix##v(GLenum unit, const type* v)                                             \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord1" #suffix "v", unit, 2, {number(v[0]), 0, 0, 1});                   \
+        multi_tex_coord("glMultiTexCoord1" #suffix "v", unit, v[0]);                                         \
     }                                                                                                        \
     void glMultiTexCoord2##suffix##v(GLenum unit, const type* v)                                             \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord2" #suffix "v", unit, 2, {number(v[0]), number(v[1]), 0, 1});        \
+        multi_tex_coord("glMultiTexCoord2" #suffix "v", unit, v[0], v[1]);                                   \
     }                                                                                                        \
     void glMultiTexCoord3##suffix##v(GLenum unit, const type* v)                                             \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord3" #suffix "v", unit, 3,                                             \
-                        {number(v[0]), number(v[1]), number(v[2]), 1});                                      \
+        multi_tex_coord("glMultiTexCoord3" #suffix "v", unit, v[0], v[1], v[2]);                             \
     }                                                                                                        \
     void glMultiTexCoord4##suffix##v(GLenum unit, const type* v)                                             \
     {                                                                                                        \
-        multi_tex_coord("glMultiTexCoord4" #suffix "v", unit, 4,                                             \
-                        {number(v[0]), number(v[1]), number(v[2]), number(v[3])});                           \
+        multi_tex_coord("glMultiTexCoord4" #suffix "v", unit, v[0], v[1], v[2], v[3]);                       \
     }
 MULTI_TEX_COORD(s, GLshort)
 MULTI_TEX_COORD(i, GLint)

@@ -6,9 +6,12 @@ import { keycaps, keyLabels } from "./key_labels.js";
 const isPair = (one, other) =>
   one?.kind === "hold" && other?.kind === "hold" && one.fields?.length > 0 && one.fields.join() === other.fields?.join();
 
+/** Returns a title with minus signs, which no line ends behind. */
+const withMinus = (title) => title.replace(/-(?=[A-Z])/g, "\u2212");
+
 /** Joins two titles that differ in the middle: "Raise / lower the gun", "Go nearer / further away". */
 export function joinedTitle(one, other) {
-  const [a, b] = [one.split(" "), other.split(" ")];
+  const [a, b] = [withMinus(one).split(" "), withMinus(other).split(" ")];
   const shorter = Math.min(a.length, b.length);
   let start = 0;
   while (start < shorter - 1 && a[start] === b[start]) ++start;

@@ -22,12 +22,12 @@ function bar({ radius, distance, inside }) {
 }
 
 /** Returns what was found of one sphere. */
-function sphere(title, test, isLine) {
+function sphere(title, test, isLine, level) {
   const numbers = [`${metres(test.distance)} from the centre, radius ${metres(test.radius)}`, `centre ${place(test.centre)}`];
-  if (isLine) numbers.push(`closest point ${place(test.closest_point)}, parameter ${Number(test.parameter.toFixed(3))}`);
+  if (isLine) numbers.push(`closest point ${place(test.closest_point)}`, `parameter ${Number(test.parameter.toFixed(3))}`);
   return element(
     "div",
-    `level${test.inside ? " is-inside" : ""}`,
+    `level ${level}${test.inside ? " is-inside" : ""}`,
     element("div", "line", element("b", "", title), element("span", "amount", depthText(test))),
     bar(test),
     element("p", "numbers", ...numbers.map((text) => element("span", "", text))),
@@ -71,10 +71,10 @@ export function showReport(box, report) {
     return;
   }
   const isLine = report.probe !== "point";
-  parts.push(element("h3", "", "1. The whole tank"), sphere("Tank", report.root, isLine));
+  parts.push(element("h3", "", "1. The whole tank"), sphere("Tank", report.root, isLine, "whole"));
   const { tested, parts: hit } = report;
   parts.push(element("h3", "", report.root.inside ? `2. Its ${tested.length} parts: ${hit.length || "none"} penetrated` : "2. Its parts: not tested"));
-  if (report.root.inside) parts.push(testedParts(tested), ...hit.map((test) => sphere(spoken(test.part), test, isLine)));
+  if (report.root.inside) parts.push(testedParts(tested), ...hit.map((test) => sphere(spoken(test.part), test, isLine, "part")));
   if (report.triangles.length > 0) parts.push(element("h3", "", "3. Their triangles"), ...report.triangles.map(triangle));
   box.replaceChildren(...parts);
 }

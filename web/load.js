@@ -16,7 +16,8 @@ export function showProgress(share, what) {
 
 /** Fades the screen out, and takes it away. */
 export function hideProgress() {
-  setTimeout(() => (screen.hidden = true), 500);
+  const fade = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : 500; // as in style.css, and a little
+  setTimeout(() => (screen.hidden = true), fade);
 }
 
 function missing(name, why) {

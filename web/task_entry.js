@@ -25,11 +25,15 @@ export class TaskEntry {
     this.found = element("ul", "found");
     const commands = task.commands.map((name) => parts.commands.get(name)).filter(Boolean);
     this.card = element("div", "card", element("p", "", task.text), element("div", "rows", ...commandRows(commands, parts)), this.live.list);
+    const again = element("a", "button", "Start over");
+    again.href = this.head.href;
+    const buttons = element("div", "buttons", again);
     if (!this.isFigure) {
       this.checking = button("", "Check", () => this.check());
       this.checking.setAttribute("aria-label", `Check ${task.id}, ${task.title}`);
-      this.card.append(element("div", "buttons", this.checking, this.verdict));
+      buttons.append(this.checking, this.verdict);
     }
+    this.card.append(buttons);
     this.source = element("p", "source", "Source: ", element("code", "", task.source));
     this.box = element("article", "task", this.head, this.card, this.found, this.source);
     this.box.dataset.id = task.id;

@@ -19,6 +19,7 @@ import os from "node:os";
 import path from "node:path";
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
+import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { PNG } from "pngjs";
 import puppeteer from "puppeteer-core";
@@ -118,17 +119,35 @@ export async function launch(name, { flags = [] } = {}) {
   }
 }
 
-/** Opens a page in a new browser, hands it to an async function, and closes everything whatever happens.
+const running = new Map(); // what launch() gives, by the browser's name; a test file has each once
+after(async () => {
+  for (const browser of running.values()) await (await browser).close();
+});
+
+/** Opens a session with nothing remembered from another one. Gives {browser, context, close()}. */
+async function openSession(name, flags) {
+  if (flags) {
+    const browser = await launch(name, { flags });
+    return { browser, context: browser.defaultBrowserContext(), close: () => browser.close() };
+  }
+  if (!running.has(name)) running.set(name, launch(name));
+  const browser = await running.get(name);
+  const context = await browser.createBrowserContext();
+  return { browser, context, close: () => context.close() };
+}
+
+/** Opens a page in a session of its own, hands it to an async function, and closes it whatever happens.
     path: what follows the site's address, such as "#turret=30"; url: another address instead;
     folder: another folder to serve; viewport: its size and device-pixel ratio.
     before: called with the page before it loads anything, to listen or to break something.
-    The function gets { page, browser, url, problems }; problems gathers, as text, what the page's console calls
+    flags: for a browser of its own, besides those of launch().
+    The function gets { page, browser, context, url, problems }; problems gathers, as text, what the page's console calls
     an error, exceptions nobody caught, and requests that failed. */
 export async function withPage(name, { path: rest = "", url, folder = SITE, viewport, before, flags } = {}, use) {
   const server = url ? null : await serve(folder);
-  const browser = await launch(name, { flags });
+  const { browser, context, close } = await openSession(name, flags);
   try {
-    const page = await browser.newPage();
+    const page = await context.newPage();
     if (viewport) await page.setViewport({ ...VIEWPORT, ...viewport });
     const problems = [];
     page.on("console", (message) => {
@@ -144,9 +163,9 @@ export async function withPage(name, { path: rest = "", url, folder = SITE, view
     const address = url ?? server.url + rest;
     if (before) await before(page, address);
     await page.goto(address);
-    return await use({ page, browser, url: address, problems });
+    return await use({ page, browser, context, url: address, problems });
   } finally {
-    await browser.close();
+    await close();
     await server?.close();
   }
 }

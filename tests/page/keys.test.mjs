@@ -4,6 +4,8 @@ import { test } from "node:test";
 import { pixels } from "./harness.mjs";
 import { BARE, drawn, holdKey, withTank } from "./tanklab_page.mjs";
 
+const SMALL = { width: 320, height: 200 }; // quickly drawn
+
 /** Returns how far a value went from one state to another; a wrapping one by the shorter way. */
 function moved(command, before, after) {
   const difference = after - before;
@@ -11,11 +13,11 @@ function moved(command, before, after) {
 }
 
 test("every key that is held moves its values, and its opposite moves them back", async () => {
-  await withTank("chromium", {}, async ({ page, state, problems }) => {
+  await withTank("chromium", { viewport: SMALL }, async ({ page, state, problems }) => {
     const commands = await page.evaluate(() => tanklab.commands());
     const fields = new Map(commands.filter((c) => c.kind === "set").map((c) => [c.name, c]));
     const directions = new Map();
-    for (const command of commands.filter((c) => c.kind === "hold" && c.fields?.length && c.group !== "Probe")) {
+    for (const command of commands.filter((c) => c.kind === "hold" && c.fields?.length)) {
       for (const code of command.keys) {
         const before = await state();
         const changed = (now) => command.fields.every((field) => now[field] !== before[field]);

@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { differentPixels, pixels } from "./harness.mjs";
 import { BARE, drawn, holdKey, withTank } from "./tanklab_page.mjs";
 
+const SMALL = { width: 320, height: 200 }; // quickly drawn
 const LINK = "#turret=30&gun=8&distance=14.5&orbit=-35.25";
 
 test("a link opened twice gives the same state and the same pixels", async () => {
@@ -50,8 +51,8 @@ test("an address that the reader changes is loaded, and what it has wrong is sai
 });
 
 test("the Share button copies the address of what is shown", async () => {
-  await withTank("chromium", { path: LINK }, async ({ page, browser, url }) => {
-    await browser.defaultBrowserContext().overridePermissions(new URL(url).origin, ["clipboard-read", "clipboard-write", "clipboard-sanitized-write"]);
+  await withTank("chromium", { path: LINK }, async ({ page, context, url }) => {
+    await context.overridePermissions(new URL(url).origin, ["clipboard-read", "clipboard-write", "clipboard-sanitized-write"]);
     await page.click("#share");
     await page.waitForFunction(() => document.getElementById("share").textContent === "Copied");
     const copied = await page.evaluate(() => navigator.clipboard.readText());
@@ -90,5 +91,46 @@ test("the checks of the tasks pass, and leave state and picture as they were", a
     await drawn(page);
     assert.equal((await state()).link, before.state);
     assert.equal(differentPixels(before.picture, await pixels(page, "#canvas")), 0);
+  });
+});
+
+/** Returns what follows from an event, by the tick it was seen at, for some time. */
+const watch = (page, milliseconds) =>
+  page.evaluate(
+    (time) =>
+      new Promise((done) => {
+        const seen = {};
+        const end = performance.now() + time;
+        const look = () => {
+          const { link, shot, sparks, inside, touches } = tanklab.state();
+          seen[new URLSearchParams(link).get("tick")] = JSON.stringify({ shot, sparks, inside, touches });
+          performance.now() < end ? requestAnimationFrame(look) : done(seen);
+        };
+        look();
+      }),
+    milliseconds,
+  );
+
+test("a link of a shot under way replays it: the same flight and the same sparks, tick by tick", async () => {
+  let first, link;
+  await withTank("chromium", { viewport: SMALL }, async ({ page }) => {
+    await page.evaluate(() => tanklab.openLink("task=2.6&speed=30&event=fire&tick=1"));
+    await page.waitForFunction(() => tanklab.state().sparks > 10, { timeout: 20000 });
+    link = await page.evaluate(() => tanklab.link());
+    first = await watch(page, 700);
+  });
+  assert.match(link, /&tick=\d+/);
+  await withTank("chromium", { viewport: SMALL, path: `#${link}` }, async ({ page }) => {
+    const again = await page.evaluate((fragment) => {
+      tanklab.openLink(fragment); // what passed while the page was loaded does not count
+      const { shot, sparks, inside, touches } = tanklab.state();
+      return { link: tanklab.link(), seen: JSON.stringify({ shot, sparks, inside, touches }) };
+    }, link);
+    assert.equal(again.link, link);
+    const tick = new URLSearchParams(link).get("tick");
+    const second = { ...(await watch(page, 700)), [tick]: again.seen };
+    const both = Object.keys(first).filter((each) => each in second);
+    assert.ok(both.length >= 3, `${Object.keys(first)} and ${Object.keys(second)}`);
+    for (const each of both) assert.equal(second[each], first[each], `at tick ${each}`);
   });
 });

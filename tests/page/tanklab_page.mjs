@@ -6,7 +6,12 @@ export const BARE = "?antialias=0&overlays=0";
 
 /** Opens the page, waits until the tank is there, and hands it to an async function, as withPage does. */
 export async function withTank(browser, options, use) {
-  return withPage(browser, options, async (given) => {
+  const before = async (page, address) => {
+    // Nothing fades then, and nobody waits for it.
+    if (browser !== "firefox") await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
+    await options.before?.(page, address);
+  };
+  return withPage(browser, { ...options, before }, async (given) => {
     const { page } = given;
     await page.waitForFunction("window.tanklab?.ready");
     await page.evaluate(() => tanklab.ready.then(() => true));

@@ -3,6 +3,9 @@
 #include "app/text.h"
 #include "mesh/obj_reader.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/vec3.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +71,17 @@ std::string_view as_text(std::span<const std::uint8_t> bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+double wheel_radius(const Assets& assets)
+{
+    const tank::PartPlacement& wheel = assets.layout[tank::Part::wheel_left_1];
+    double radius = 0.0;
+    for (const glm::vec3& position : assets.high[tank::index_of(wheel.mesh)].positions) {
+        const glm::dvec3 from_axle(position + wheel.mesh_offset);
+        radius = std::max(radius, std::sqrt(from_axle.y * from_axle.y + from_axle.z * from_axle.z));
+    }
+    return radius;
+}
+
 } // namespace
 
 std::span<const MeshFile> mesh_files()
@@ -115,7 +129,8 @@ mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
         return all_missing(missing);
     }
 
-    Assets assets{.layout = tank::default_layout(), .high = {}, .low = {}, .texture = {}};
+    Assets assets{};
+    assets.layout = tank::default_layout();
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const MeshFile& file = MESH_FILES[i];
         mesh::Result<mesh::ObjMesh> mesh = mesh::read_obj(file.name, as_text(sources[i]));
@@ -130,6 +145,7 @@ mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
         return texture.error();
     }
     assets.texture = std::move(texture.value());
+    assets.wheel_radius = wheel_radius(assets);
     return assets;
 }
 

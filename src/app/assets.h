@@ -36,6 +36,7 @@ struct Assets
     std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> high; ///< by tank::index_of(MeshKind)
     std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> low;
     mesh::Image texture;
+    double wheel_radius = 0.0; ///< metres: how far the wheel's mesh reaches from its axle
 
     const std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT>& meshes(Level level) const
     {

@@ -44,6 +44,12 @@ constexpr Command hold(std::string_view name, std::string_view title, Group grou
             .move_count = 2};
 }
 
+constexpr Command drive(std::string_view name, std::string_view title, Keys keys, double speed)
+{
+    return hold(name, title, Group::tank, keys, {.field = x, .rate = speed, .along_heading = true},
+                {.field = z, .rate = speed, .along_heading = true});
+}
+
 constexpr Command add(std::string_view name, std::string_view title, Group group, Move move)
 {
     return {.name = name,
@@ -146,7 +152,8 @@ constexpr Move of_handle(FieldId field, double rate)
 }
 
 // Real vehicles: turrets turn by 40 degrees a second and more, guns rise by 10 or so; the wheels' rate is a
-// walking pace of 1.4 m/s. W, S are left for driving. The digits 1 to 4 open tasks and figures.
+// walking pace of 1.4 m/s. Off the road they drive at 18 km/h; turning in place takes 12 seconds
+// a round. The digits 1 to 4 open tasks and figures.
 constexpr Command OWN_COMMANDS[] = {
     hold("turret_left", "Turn the turret left", Group::turret, {Key::q}, {turret, degrees(40.0)}),
     hold("turret_right", "Turn the turret right", Group::turret, {Key::e}, {turret, degrees(-40.0)}),
@@ -160,6 +167,8 @@ constexpr Command OWN_COMMANDS[] = {
          {wheels_right, degrees(180.0)}),
     hold("wheels_backward", "Roll the wheels backward", Group::wheels, {Key::v},
          {wheels_left, degrees(-180.0)}, {wheels_right, degrees(-180.0)}),
+    drive("drive_forward", "Drive forward", {Key::w}, 5.0),
+    drive("drive_backward", "Drive backward", {Key::s}, -5.0),
     hold("turn_left", "Turn the tank left", Group::tank, {Key::a}, {heading, degrees(30.0)}),
     hold("turn_right", "Turn the tank right", Group::tank, {Key::d}, {heading, degrees(-30.0)}),
     press("reset_pose", "Bring the tank back to its first pose", Group::tank, {Key::backspace}, reset_pose),

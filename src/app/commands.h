@@ -40,6 +40,7 @@ struct Move
     bool relative = false;
     bool of_handle =
         false; ///< the field is the point's coordinate; that of what Projectile::handle says moves
+    bool along_heading = false; ///< the field is x or z; the rate is the tank's, straight ahead
 };
 
 /// Describes one thing that people can do. Unused keys are Key::none and come last.

@@ -1,10 +1,10 @@
 #include "app/update.h"
 
+#include "app/driving.h"
 #include "app/firing.h"
 #include "app/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace app {
@@ -141,20 +141,28 @@ std::string apply(State& state, std::string_view name, double value)
     return apply(state, *command, value);
 }
 
-void step(State& state, const Assets&)
+void step(State& state, const Assets& assets)
 {
     // Summed first, so that opposite holds cancel exactly and a limit is applied to the sum.
-    std::array<double, FIELD_COUNT> rates{};
-    std::array<double, FIELD_COUNT> growths{};
+    FieldRates rates{};
+    FieldRates growths{};
+    double forward = 0.0;
     const std::span<const Command> all = commands();
     for (std::size_t i = 0; i < state.held.size() && i < all.size(); ++i) {
         if (!state.held[i]) {
             continue;
         }
         for (const Move& move : all[i].used_moves()) {
+            if (move.along_heading) {
+                forward += move.field == FieldId::z ? move.rate : 0.0; // x goes along
+                continue;
+            }
             const auto row = static_cast<std::size_t>(moved_field(state, move).id);
             (move.relative ? growths : rates)[row] += move.rate;
         }
+    }
+    if (forward != 0.0 || rates[static_cast<std::size_t>(FieldId::heading)] != 0.0) {
+        add_driving(rates, state, assets, forward);
     }
     bool changed = false;
     for (const Field& field : fields()) {

@@ -36,13 +36,6 @@ TEST(CommandsTest, NoKeyTwice)
     EXPECT_EQ(command_for_key(Key::none), nullptr);
 }
 
-TEST(CommandsTest, KeysForDrivingAreLeftFree)
-{
-    for (Key key : {Key::w, Key::s}) {
-        EXPECT_EQ(command_for_key(key), nullptr) << key_code(key);
-    }
-}
-
 TEST(CommandsTest, TheProjectileIsMovedAlongEveryAxisBothWaysByKeys)
 {
     const struct

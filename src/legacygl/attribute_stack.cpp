@@ -47,7 +47,8 @@ SavedAttributes::SavedAttributes(State& state, GLbitfield groups) : groups_(grou
     });
     if (groups & GL_TEXTURE_BIT)
         visit_bindings(state.texturing, [&](int target, GLuint name) {
-            textures_.push_back({name, state.texturing.named(target, name)->parameters});
+            const std::shared_ptr<Texture> texture = state.texturing.named(target, name);
+            textures_.push_back({name, texture, texture->parameters});
         });
 }
 
@@ -66,11 +67,14 @@ void SavedAttributes::restore_textures(State& state) const
 {
     auto saved = textures_.begin();
     visit_bindings(state.texturing, [&](int target, GLuint& name) {
-        if (Texture* texture = state.texturing.named(target, saved->name)) {
+        std::shared_ptr<Texture> texture = state.texturing.named(target, name);
+        if (!texture && !state.texturing.textures[name])
+            texture = state.texturing.textures[name] = saved->texture;
+        if (texture) {
             texture->parameters = saved->parameters;
             texture->sampling_changed = true;
         } else {
-            name = 0;
+            name = 0; // The name is now one of another target.
         }
         ++saved;
     });

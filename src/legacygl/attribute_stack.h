@@ -6,6 +6,7 @@
 #include <GL/gl.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,7 @@ class SavedAttributes
 {
 public:
     SavedAttributes(State& state, GLbitfield groups);
-    /// Puts back what was saved. A texture that was deleted meanwhile stays unbound.
+    /// Puts back what was saved. A texture that was deleted meanwhile has its name again.
     void restore(State& state) const;
 
 private:
@@ -27,6 +28,7 @@ private:
     struct BoundTexture
     {
         GLuint name;
+        std::shared_ptr<Texture> texture; ///< It lives as long as it can be bound again.
         TextureParameters parameters;
     };
     void restore_textures(State& state) const;

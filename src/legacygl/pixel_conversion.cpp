@@ -7,13 +7,15 @@
 namespace legacygl {
 namespace {
 
+using Rgba = std::array<std::uint8_t, 4>;
+
 /// Where the bytes of a client image lie.
 struct ClientLayout
 {
     ClientLayout(const PixelStore& store, int width, GLenum format, GLenum type)
     {
         const auto element = static_cast<std::size_t>(bytes_per_value(type));
-        pixel = element * values_per_pixel(format);
+        pixel = static_cast<std::size_t>(bytes_per_pixel(format, type));
         const std::size_t length = store.row_length > 0 ? store.row_length : width;
         row = pixel * length;
         const auto alignment = static_cast<std::size_t>(store.alignment);
@@ -32,8 +34,6 @@ float read_value(GLenum type, const std::uint8_t* p)
         return value;
     };
     switch (type) {
-    case GL_UNSIGNED_BYTE:
-        return static_cast<float>(*p) / 255.0f;
     case GL_BYTE:
         return (2.0f * static_cast<float>(load(GLbyte{})) + 1.0f) / 255.0f;
     case GL_UNSIGNED_SHORT:
@@ -49,247 +49,195 @@ float read_value(GLenum type, const std::uint8_t* p)
     }
 }
 
+/// Writes one value (OpenGL 1.5, table 4.6, with the greatest signed integer for 1, as Mesa does).
+void write_value(GLenum type, std::uint8_t value, std::uint8_t* to)
+{
+    const double fraction = static_cast<double>(value) / 255.0;
+    const auto store = [&](auto typed, double greatest) {
+        typed = static_cast<decltype(typed)>(std::floor(fraction * greatest + 0.5));
+        std::memcpy(to, &typed, sizeof typed);
+    };
+    switch (type) {
+    case GL_BYTE:
+        return store(GLbyte{}, 127.0);
+    case GL_UNSIGNED_SHORT:
+        return store(GLushort{}, 65535.0);
+    case GL_SHORT:
+        return store(GLshort{}, 32767.0);
+    case GL_UNSIGNED_INT:
+        return store(GLuint{}, 4294967295.0);
+    case GL_INT:
+        return store(GLint{}, 2147483647.0);
+    case GL_FLOAT: {
+        const float f = static_cast<float>(value) * (1.0f / 255.0f);
+        std::memcpy(to, &f, sizeof f);
+        return;
+    }
+    default:
+        *to = value;
+    }
+}
+
 std::uint8_t to_byte(float value)
 {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-/// Reads one value as a byte; the common type is not sent through float.
-std::uint8_t read_byte(GLenum type, const std::uint8_t* p)
+/// Copies bytes, the last first if they are to be swapped.
+void copy_value(bool swap, const std::uint8_t* from, std::uint8_t* to, int size)
 {
-    return type == GL_UNSIGNED_BYTE ? *p : to_byte(read_value(type, p));
+    swap ? std::reverse_copy(from, from + size, to) : std::copy(from, from + size, to);
 }
 
-void read_pixel(bool swap, GLenum format, GLenum type, const std::uint8_t* p, std::uint8_t out[4])
+/// Returns how far to the left value i of a packed pixel stands.
+int shift_of(const PackedType& packed, int i)
+{
+    int shift = 0;
+    for (int k = 0; k < packed.values(); ++k)
+        if (packed.reversed ? k < i : k > i)
+            shift += packed.bits[k];
+    return shift;
+}
+
+/// Reads the values of a pixel, in the order in which the client gives them, as bytes.
+void read_values(bool swap, GLenum format, GLenum type, const PackedType* packed, const std::uint8_t* p,
+                 Rgba& values)
 {
     const int size = bytes_per_value(type);
-    const auto value = [&](int i) {
-        std::uint8_t bytes[4];
-        std::memcpy(bytes, p + i * size, static_cast<std::size_t>(size));
-        if (swap)
-            std::reverse(bytes, bytes + size);
-        return read_byte(type, bytes);
-    };
-    out[0] = out[1] = out[2] = 0;
-    out[3] = 255;
-    switch (format) {
-    case GL_RED:
-        out[0] = value(0);
-        break;
-    case GL_GREEN:
-        out[1] = value(0);
-        break;
-    case GL_BLUE:
-        out[2] = value(0);
-        break;
-    case GL_ALPHA:
-        out[3] = value(0);
-        break;
-    case GL_LUMINANCE:
-    case GL_LUMINANCE_ALPHA:
-        out[0] = out[1] = out[2] = value(0);
-        if (format == GL_LUMINANCE_ALPHA)
-            out[3] = value(1);
-        break;
-    case GL_BGR:
-    case GL_BGRA:
-        for (int i = 0; i < 3; ++i)
-            out[i] = value(2 - i);
-        if (format == GL_BGRA)
-            out[3] = value(3);
-        break;
-    default:
-        for (int i = 0; i < values_per_pixel(format); ++i)
-            out[i] = value(i);
-        break;
+    std::uint8_t bytes[4] = {};
+    if (packed) {
+        copy_value(swap, p, bytes, size);
+        std::uint32_t word = 0;
+        for (int i = size; i-- > 0;)
+            word = word << 8 | bytes[i];
+        for (int i = 0; i < packed->values(); ++i) {
+            const std::uint32_t greatest = (1u << packed->bits[i]) - 1;
+            const std::uint32_t value = word >> shift_of(*packed, i) & greatest;
+            values[i] = static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
+        }
+        return;
+    }
+    for (int i = 0; i < values_per_pixel(format); ++i) {
+        copy_value(swap, p + i * size, bytes, size);
+        // The common type is not sent through float.
+        values[i] = type == GL_UNSIGNED_BYTE ? bytes[0] : to_byte(read_value(type, bytes));
     }
 }
 
-/// Keeps what the base format keeps of a pixel, spread as the sampler returns it (OpenGL 1.5, table 3.15).
-void keep_components(BaseFormat base, std::uint8_t p[4])
+/// Puts the values that a client gives where they belong (OpenGL 1.5, table 3.6).
+Rgba spread(GLenum format, const Rgba& v)
 {
-    switch (base) {
-    case BaseFormat::alpha:
-        p[0] = p[1] = p[2] = 0;
-        break;
-    case BaseFormat::luminance:
-        p[1] = p[2] = p[0];
-        p[3] = 255;
-        break;
-    case BaseFormat::luminance_alpha:
-        p[1] = p[2] = p[0];
-        break;
-    case BaseFormat::intensity:
-        p[1] = p[2] = p[3] = p[0];
-        break;
-    case BaseFormat::rgb:
-        p[3] = 255;
-        break;
+    switch (format) {
+    case GL_RED:
+        return {v[0], 0, 0, 255};
+    case GL_GREEN:
+        return {0, v[0], 0, 255};
+    case GL_BLUE:
+        return {0, 0, v[0], 255};
+    case GL_ALPHA:
+        return {0, 0, 0, v[0]};
+    case GL_LUMINANCE:
+        return {v[0], v[0], v[0], 255};
+    case GL_LUMINANCE_ALPHA:
+        return {v[0], v[0], v[0], v[1]};
+    case GL_RGB:
+        return {v[0], v[1], v[2], 255};
+    case GL_BGR:
+        return {v[2], v[1], v[0], 255};
+    case GL_BGRA:
+        return {v[2], v[1], v[0], v[3]};
     default:
-        break;
+        return v;
+    }
+}
+
+/// Takes the values that a client wants out of a pixel, in its order.
+Rgba gather(GLenum format, const std::uint8_t* p, ToLuminance how)
+{
+    const int sum = std::min(255, p[0] + p[1] + p[2]);
+    const auto luminance = how == ToLuminance::sum ? static_cast<std::uint8_t>(sum) : p[0];
+    switch (format) {
+    case GL_RED:
+    case GL_GREEN:
+    case GL_BLUE:
+    case GL_ALPHA:
+        return {p[format - GL_RED]};
+    case GL_LUMINANCE:
+    case GL_LUMINANCE_ALPHA:
+        return {luminance, p[3]};
+    case GL_BGR:
+    case GL_BGRA:
+        return {p[2], p[1], p[0], p[3]};
+    default:
+        return {p[0], p[1], p[2], p[3]};
+    }
+}
+
+void write_packed(const PackedType& packed, const Rgba& values, std::uint8_t* to)
+{
+    std::uint32_t word = 0;
+    for (int i = 0; i < packed.values(); ++i) {
+        const std::uint32_t greatest = (1u << packed.bits[i]) - 1;
+        word |= (values[i] * greatest + 127) / 255 << shift_of(packed, i);
+    }
+    for (int i = 0; i < packed.bytes; ++i)
+        to[i] = static_cast<std::uint8_t>(word >> 8 * i);
+}
+
+void write_pixel(bool swap, GLenum format, GLenum type, const PackedType* packed, const Rgba& values,
+                 std::uint8_t* to)
+{
+    const int size = bytes_per_value(type);
+    std::uint8_t bytes[4] = {};
+    if (packed) {
+        write_packed(*packed, values, bytes);
+        return copy_value(swap, bytes, to, size);
+    }
+    for (int i = 0; i < values_per_pixel(format); ++i) {
+        write_value(type, values[i], bytes);
+        copy_value(swap, bytes, to + i * size, size);
     }
 }
 
 } // namespace
 
-BaseFormat base_format(GLint internal_format)
-{
-    switch (internal_format) {
-    case GL_ALPHA:
-    case GL_ALPHA4:
-    case GL_ALPHA8:
-    case GL_ALPHA12:
-    case GL_ALPHA16:
-        return BaseFormat::alpha;
-    case 1:
-    case GL_LUMINANCE:
-    case GL_LUMINANCE4:
-    case GL_LUMINANCE8:
-    case GL_LUMINANCE12:
-    case GL_LUMINANCE16:
-        return BaseFormat::luminance;
-    case 2:
-    case GL_LUMINANCE_ALPHA:
-    case GL_LUMINANCE4_ALPHA4:
-    case GL_LUMINANCE6_ALPHA2:
-    case GL_LUMINANCE8_ALPHA8:
-    case GL_LUMINANCE12_ALPHA4:
-    case GL_LUMINANCE12_ALPHA12:
-    case GL_LUMINANCE16_ALPHA16:
-        return BaseFormat::luminance_alpha;
-    case GL_INTENSITY:
-    case GL_INTENSITY4:
-    case GL_INTENSITY8:
-    case GL_INTENSITY12:
-    case GL_INTENSITY16:
-        return BaseFormat::intensity;
-    case 3:
-    case GL_RGB:
-    case GL_R3_G3_B2:
-    case GL_RGB4:
-    case GL_RGB5:
-    case GL_RGB8:
-    case GL_RGB10:
-    case GL_RGB12:
-    case GL_RGB16:
-        return BaseFormat::rgb;
-    case 4:
-    case GL_RGBA:
-    case GL_RGBA2:
-    case GL_RGBA4:
-    case GL_RGB5_A1:
-    case GL_RGBA8:
-    case GL_RGB10_A2:
-    case GL_RGBA12:
-    case GL_RGBA16:
-        return BaseFormat::rgba;
-    default:
-        return BaseFormat::none;
-    }
-}
-
-int values_per_pixel(GLenum format)
-{
-    switch (format) {
-    case GL_RED:
-    case GL_GREEN:
-    case GL_BLUE:
-    case GL_ALPHA:
-    case GL_LUMINANCE:
-        return 1;
-    case GL_LUMINANCE_ALPHA:
-        return 2;
-    case GL_RGB:
-    case GL_BGR:
-        return 3;
-    case GL_RGBA:
-    case GL_BGRA:
-        return 4;
-    default:
-        return 0;
-    }
-}
-
-int bytes_per_value(GLenum type)
-{
-    switch (type) {
-    case GL_UNSIGNED_BYTE:
-    case GL_BYTE:
-        return 1;
-    case GL_UNSIGNED_SHORT:
-    case GL_SHORT:
-        return 2;
-    case GL_UNSIGNED_INT:
-    case GL_INT:
-    case GL_FLOAT:
-        return 4;
-    default:
-        return 0;
-    }
-}
-
 std::size_t client_image_bytes(const PixelStore& store, int width, int height, GLenum format, GLenum type)
 {
-    if (width <= 0 || height <= 0)
+    if (width <= 0 || height <= 0 || format_type_error(format, type) != GL_NO_ERROR)
         return 0;
     const ClientLayout layout(store, width, format, type);
     return layout.start + layout.row * (height - 1) + layout.pixel * width;
 }
 
-std::vector<std::uint8_t> unpack_texture(const PixelStore& store, int width, int height, GLenum format,
-                                         GLenum type, BaseFormat base, const std::uint8_t* pixels)
+std::vector<std::uint8_t> unpack_pixels(const PixelStore& store, int width, int height, GLenum format,
+                                        GLenum type, const std::uint8_t* pixels)
 {
     const ClientLayout layout(store, width, format, type);
+    const PackedType* packed = find_packed_type(type);
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) * height * 4);
     std::uint8_t* to = rgba.data();
     for (int y = 0; y < height; ++y) {
         const std::uint8_t* from = pixels + layout.start + layout.row * y;
         for (int x = 0; x < width; ++x, from += layout.pixel, to += 4) {
-            read_pixel(store.swap_bytes, format, type, from, to);
-            keep_components(base, to);
+            Rgba values{};
+            read_values(store.swap_bytes, format, type, packed, from, values);
+            const Rgba pixel = spread(format, values);
+            std::copy(pixel.begin(), pixel.end(), to);
         }
     }
     return rgba;
 }
 
 void pack_pixels(const PixelStore& store, int width, int height, GLenum format, GLenum type,
-                 const std::uint8_t* rgba, std::uint8_t* out)
+                 std::span<const std::uint8_t> rgba, ToLuminance luminance, std::uint8_t* out)
 {
     const ClientLayout layout(store, width, format, type);
-    const int size = bytes_per_value(type);
+    const PackedType* packed = find_packed_type(type);
+    const std::uint8_t* from = rgba.data();
     for (int y = 0; y < height; ++y) {
         std::uint8_t* to = out + layout.start + layout.row * y;
-        for (int x = 0; x < width; ++x, rgba += 4, to += layout.pixel) {
-            const auto write = [&](int i, std::uint8_t value) {
-                if (type == GL_FLOAT) {
-                    const float f = static_cast<float>(value) / 255.0f;
-                    std::memcpy(to + i * size, &f, sizeof f);
-                    if (store.swap_bytes)
-                        std::reverse(to + i * size, to + (i + 1) * size);
-                } else {
-                    to[i] = value;
-                }
-            };
-            switch (format) {
-            case GL_RED:
-            case GL_GREEN:
-            case GL_BLUE:
-            case GL_ALPHA:
-                write(0, rgba[format - GL_RED]);
-                break;
-            case GL_BGR:
-            case GL_BGRA:
-                for (int i = 0; i < 3; ++i)
-                    write(i, rgba[2 - i]);
-                if (format == GL_BGRA)
-                    write(3, rgba[3]);
-                break;
-            default:
-                for (int i = 0; i < values_per_pixel(format); ++i)
-                    write(i, rgba[i]);
-                break;
-            }
-        }
+        for (int x = 0; x < width; ++x, from += 4, to += layout.pixel)
+            write_pixel(store.swap_bytes, format, type, packed, gather(format, from, luminance), to);
     }
 }
 

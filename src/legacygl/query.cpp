@@ -23,12 +23,11 @@ constexpr Constant CONSTANTS[] = {
     {GL_MAX_LIST_NESTING, Kind::integer, MAXIMUM_LIST_NESTING},
     {GL_MAX_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
-    {GL_MAX_TEXTURE_SIZE, Kind::integer, MAXIMUM_TEXTURE_SIZE},
     {GL_MAX_TEXTURE_UNITS, Kind::integer, TEXTURE_UNIT_COUNT},
-    {GL_MAX_ELEMENTS_INDICES, Kind::integer, 65536},
-    {GL_MAX_ELEMENTS_VERTICES, Kind::integer, 65536},
+    {GL_MAX_ELEMENTS_INDICES, Kind::integer, 3000},
+    {GL_MAX_ELEMENTS_VERTICES, Kind::integer, 3000},
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, Kind::integer, 0},
-    {GL_SUBPIXEL_BITS, Kind::integer, 4},
+    {GL_SUBPIXEL_BITS, Kind::integer, 8},
     {GL_AUX_BUFFERS, Kind::integer, 0},
     {GL_RGBA_MODE, Kind::boolean, 1},
     {GL_INDEX_MODE, Kind::boolean, 0},
@@ -153,6 +152,8 @@ QueryValue query_other(const Context& gl, GLenum name)
         return integer(gl.compiler ? (gl.compiler->executes() ? GL_COMPILE_AND_EXECUTE : GL_COMPILE) : 0);
     case GL_LIST_INDEX:
         return integer(gl.compiler ? gl.compiler->name() : 0);
+    case GL_MAX_TEXTURE_SIZE:
+        return integer(gl.backend->maximum_texture_size);
     case GL_ATTRIB_STACK_DEPTH:
         return integer(gl.attributes.size());
     case GL_CLIENT_ATTRIB_STACK_DEPTH:

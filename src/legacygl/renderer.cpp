@@ -6,6 +6,15 @@
 #include <algorithm>
 
 namespace legacygl {
+namespace {
+
+bool has_derived_levels(const Texture& texture)
+{
+    return std::any_of(texture.levels.begin(), texture.levels.end(),
+                       [](const TextureImage& image) { return image.derived; });
+}
+
+} // namespace
 
 Pipeline make_pipeline(const State& state)
 {
@@ -58,23 +67,29 @@ ProgramId Renderer::program(const ShaderKey& key)
     return id;
 }
 
+/// Brings the backend's texture up to date.
 TextureId Renderer::texture(Texture& texture)
 {
     const bool made = !texture.object.valid();
     if (made)
         texture.object.set(backend_, backend_.create_texture());
     const TextureId id = texture.object.id();
-    if (made || texture.images_changed) {
-        const bool generated = texture.parameters.generate_mipmap;
-        const std::size_t levels = generated ? 1 : texture.levels.size();
-        for (std::size_t level = 0; level < levels; ++level) {
-            const TextureImage& image = texture.levels[level];
-            if (image.width > 0 && image.height > 0)
-                backend_.texture_image(id, static_cast<int>(level), image.width, image.height, image.rgba);
-        }
-        if (generated)
-            backend_.generate_mipmap(id);
-        texture.images_changed = false;
+    const bool derives = texture.levels_to_derive || (made && has_derived_levels(texture));
+    const auto upload = [&](std::size_t level, bool anyway) {
+        TextureImage& image = texture.levels[level];
+        if ((anyway || image.changed) && !image.derived && image.width > 0 && image.height > 0)
+            backend_.texture_image(id, static_cast<int>(level), image.width, image.height, image.rgba);
+        image.changed = false;
+    };
+    for (std::size_t level = 0; level < texture.levels.size(); ++level)
+        upload(level, made);
+    if (derives) {
+        backend_.sampling(id, texture.parameters.sampling); // Levels are derived from the base level on.
+        backend_.generate_mipmap(id);
+        texture.levels_to_derive = false;
+        for (auto level = static_cast<std::size_t>(texture.parameters.sampling.base_level) + 1;
+             level < texture.levels.size(); ++level)
+            upload(level, true); // What was given after all.
     }
     if (made || texture.sampling_changed) {
         backend_.sampling(id, texture.parameters.sampling);

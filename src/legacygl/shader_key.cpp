@@ -1,6 +1,6 @@
 #include "legacygl/shader_key.h"
 
-#include "legacygl/pixel_conversion.h"
+#include "legacygl/pixel_format.h"
 
 #include <cstring>
 
@@ -44,6 +44,22 @@ bool is_identity(const Matrix& matrix)
     return std::memcmp(matrix.values(), Matrix().values(), sizeof(float) * 16) == 0;
 }
 
+/// With nearest filters GL_CLAMP is GL_CLAMP_TO_EDGE.
+void add_border(const Sampling& sampling, TextureKey& key)
+{
+    const bool nearest = sampling.magnify == GL_NEAREST &&
+                         (sampling.minify == GL_NEAREST || sampling.minify == GL_NEAREST_MIPMAP_NEAREST ||
+                          sampling.minify == GL_NEAREST_MIPMAP_LINEAR);
+    const auto shows = [nearest](GLenum wrap) {
+        return wrap == GL_CLAMP_TO_BORDER || (wrap == GL_CLAMP && !nearest) ? wrap : 0;
+    };
+    key.border_wrap = {shows(sampling.wrap_s), key.one_dimensional ? 0 : shows(sampling.wrap_t)};
+    if (key.has_border()) {
+        key.minify = sampling.minify;
+        key.magnify = sampling.magnify;
+    }
+}
+
 void add_texture(const State& state, int unit, ShaderKey& key)
 {
     const TextureUnit& u = state.texturing.units[unit];
@@ -51,7 +67,7 @@ void add_texture(const State& state, int unit, ShaderKey& key)
     if (!texture)
         return;
     TextureKey& k = key.textures[unit];
-    k.format = base_format(texture->levels[0].internal_format);
+    k.format = base_format(texture->base()->internal_format);
     k.environment = u.environment_mode;
     if (k.environment == GL_COMBINE) {
         k.combine_rgb = u.combine_rgb;
@@ -61,6 +77,8 @@ void add_texture(const State& state, int unit, ShaderKey& key)
     for (int i = 0; i < 4; ++i)
         if (u.generation[i].enabled)
             k.generation[i] = u.generation[i].mode;
+    k.one_dimensional = texture->target == GL_TEXTURE_1D;
+    add_border(texture->parameters.sampling, k);
 }
 
 } // namespace
@@ -178,6 +196,9 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
         mix(static_cast<std::uint64_t>(texture.format));
         mix(texture.environment);
         mix(texture.matrix);
+        mix(texture.one_dimensional);
+        mix(texture.border_wrap[0] | static_cast<std::uint64_t>(texture.border_wrap[1]) << 32);
+        mix(texture.minify | static_cast<std::uint64_t>(texture.magnify) << 32);
         for (GLenum mode : texture.generation)
             mix(mode);
         for (const Combine* combine : {&texture.combine_rgb, &texture.combine_alpha}) {

@@ -38,7 +38,13 @@ struct TextureKey
     Combine combine_alpha;
     bool matrix = false;
     std::array<GLenum, 4> generation{}; ///< Mode of each coordinate; 0: taken from the vertex.
+    bool one_dimensional = false;
+    /// The wrap modes of s and t where they let the border's colour show; else 0.
+    std::array<GLenum, 2> border_wrap{};
+    GLenum minify = 0; ///< Only where the border shows.
+    GLenum magnify = 0;
     bool operator==(const TextureKey&) const = default;
+    bool has_border() const { return border_wrap[0] != 0 || border_wrap[1] != 0; }
     bool generates(GLenum mode) const
     {
         for (GLenum g : generation)
@@ -130,7 +136,8 @@ constexpr int size(int light_count)
 
 /// Where things lie in the uniform array `texturing`, in vec4s, from unit * UNIT_SIZE.
 namespace texturing_layout {
-constexpr int ENVIRONMENT_COLOR = 0, MATRIX = 1, OBJECT_PLANES = 5, EYE_PLANES = 9, UNIT_SIZE = 13;
+constexpr int ENVIRONMENT_COLOR = 0, MATRIX = 1, OBJECT_PLANES = 5, EYE_PLANES = 9, BORDER_COLOR = 13,
+              UNIT_SIZE = 14;
 constexpr int SIZE = TEXTURE_UNIT_COUNT * UNIT_SIZE;
 } // namespace texturing_layout
 

@@ -1,5 +1,6 @@
 #include "legacygl/shader_texture_text.h"
 
+#include "legacygl/shader_border_text.h"
 #include "legacygl/shader_words.h"
 
 namespace legacygl {
@@ -155,9 +156,10 @@ std::string texture_coordinate_text(const ShaderKey& key, int unit)
             text += "    " + component + " = sphere." + "xyzw"[i] + ";\n";
     }
     const std::string out = "texture_position_" + number;
-    if (texture.matrix)
-        return text + "    " + out + " = " + columns_times("texturing", unit * UNIT_SIZE + MATRIX, c) + ";\n";
-    return text + "    " + out + " = " + c + ";\n";
+    text += "    " + out + " = " +
+            (texture.matrix ? columns_times("texturing", unit * UNIT_SIZE + MATRIX, c) : c) + ";\n";
+    // A 1D texture is one texel high: t must neither matter nor count for the level of detail.
+    return texture.one_dimensional ? text + "    " + out + ".y = 0.0;\n" : text;
 }
 
 std::string texture_environment_text(const ShaderKey& key)
@@ -166,7 +168,7 @@ std::string texture_environment_text(const ShaderKey& key)
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         if (key.textures[unit].format != BaseFormat::none)
             text += "    vec4 " + texel(unit) + " = textureProj(texture_" + std::to_string(unit) +
-                    ", texture_position_" + std::to_string(unit) + ");\n";
+                    ", texture_position_" + std::to_string(unit) + ");\n" + border_text(key, unit);
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
         const TextureKey& texture = key.textures[unit];
         if (texture.format != BaseFormat::none)

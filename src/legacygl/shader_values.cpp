@@ -1,5 +1,8 @@
 #include "legacygl/shader_values.h"
 
+#include "legacygl/pixel_format.h"
+#include "legacygl/texture_image.h"
+
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -150,6 +153,9 @@ void fill_texturing(const State& state, std::span<glm::vec4> out)
         const TextureUnit& u = state.texturing.units[unit];
         glm::vec4* values = &out[unit * UNIT_SIZE];
         values[ENVIRONMENT_COLOR] = u.environment_color;
+        if (const Texture* texture = state.texturing.used(u))
+            values[BORDER_COLOR] =
+                as_sampled(base_format(texture->base()->internal_format), texture->parameters.border_color);
         for (int i = 0; i < 4; ++i) {
             values[MATRIX + i] = column(state.transform.texture[unit].top().values(), i);
             values[OBJECT_PLANES + i] = u.generation[i].object_plane;

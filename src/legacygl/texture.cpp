@@ -22,17 +22,17 @@ TexturingState::TexturingState()
 Texture& TexturingState::bound(const TextureUnit& of, TextureTarget target) const
 {
     const int index = static_cast<int>(target);
-    return *named(index, of.bound[index]);
+    return *named(index, of.bound[index]); // Bound textures exist: deleting one unbinds it.
 }
 
-Texture* TexturingState::named(int target, GLuint name) const
+std::shared_ptr<Texture> TexturingState::named(int target, GLuint name) const
 {
     if (name == 0)
-        return defaults[target].get();
+        return defaults[target];
     const auto found = textures.find(name);
     const bool there = found != textures.end() && found->second &&
                        found->second->target == static_cast<GLenum>(GL_TEXTURE_1D + target);
-    return there ? found->second.get() : nullptr;
+    return there ? found->second : nullptr;
 }
 
 Texture* TexturingState::used(const TextureUnit& of) const
@@ -46,20 +46,28 @@ Texture* TexturingState::used(const TextureUnit& of) const
     return nullptr;
 }
 
+const TextureImage* Texture::base() const
+{
+    const auto level = static_cast<std::size_t>(parameters.sampling.base_level);
+    const bool there = level < levels.size() && levels[level].width > 0 && levels[level].height > 0;
+    return there ? &levels[level] : nullptr;
+}
+
 bool Texture::complete() const
 {
-    if (levels.empty() || levels[0].width == 0 || levels[0].height == 0)
+    const TextureImage* first = base();
+    const Sampling& sampling = parameters.sampling;
+    if (!first || sampling.base_level > sampling.max_level)
         return false;
-    const GLenum minify = parameters.sampling.minify;
-    const bool mipmapped = minify != GL_NEAREST && minify != GL_LINEAR;
-    if (!mipmapped || parameters.generate_mipmap)
+    if (sampling.minify == GL_NEAREST || sampling.minify == GL_LINEAR)
         return true;
-    int width = levels[0].width, height = levels[0].height;
-    for (std::size_t level = 1; width > 1 || height > 1; ++level) {
+    int width = first->width, height = first->height;
+    for (int level = sampling.base_level + 1; (width > 1 || height > 1) && level <= sampling.max_level;
+         ++level) {
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
-        if (level >= levels.size() || levels[level].width != width || levels[level].height != height ||
-            levels[level].internal_format != levels[0].internal_format)
+        if (level >= static_cast<int>(levels.size()) || levels[level].width != width ||
+            levels[level].height != height || levels[level].internal_format != first->internal_format)
             return false;
     }
     return true;

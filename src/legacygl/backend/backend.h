@@ -98,6 +98,10 @@ struct Sampling
     GLenum magnify = GL_LINEAR;
     GLenum wrap_s = GL_REPEAT;
     GLenum wrap_t = GL_REPEAT;
+    GLint base_level = 0;
+    GLint max_level = 1000;
+    GLfloat min_lod = -1000;
+    GLfloat max_lod = 1000;
     bool operator==(const Sampling&) const = default;
 };
 
@@ -137,6 +141,7 @@ public:
     virtual void context_lost() = 0;
     virtual void context_restored() = 0;
 
+    int maximum_texture_size = 2048; ///< In texels, both ways; the least that WebGL 2 allows.
     LegacyGLCounters counters{};
     /// Counts the ES contexts lost so far; an object made in another generation is gone.
     std::uint32_t generation = 0;

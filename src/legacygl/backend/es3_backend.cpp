@@ -53,6 +53,7 @@ public:
     Es3Backend(const Es3Functions& functions, int width, int height, LegacyGLTarget target)
         : gl_(functions), target_(gl_, target, width, height)
     {
+        gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum_texture_size);
         restore_state();
     }
 
@@ -143,12 +144,18 @@ public:
         const auto set = [this](GLenum name, GLenum value) {
             gl_.TexParameteri(GL_TEXTURE_2D, name, static_cast<GLint>(value));
         };
-        // ES has no GL_CLAMP; its border is never sampled with nearest filters, and rarely seen otherwise.
-        const auto wrap = [](GLenum mode) { return mode == GL_CLAMP ? GLenum{GL_CLAMP_TO_EDGE} : mode; };
+        // ES has no borders: the shader mixes their colour in (shader_border_text.cpp).
+        const auto wrap = [](GLenum mode) {
+            return mode == GL_CLAMP || mode == GL_CLAMP_TO_BORDER ? GLenum{GL_CLAMP_TO_EDGE} : mode;
+        };
         set(GL_TEXTURE_MIN_FILTER, sampling.minify);
         set(GL_TEXTURE_MAG_FILTER, sampling.magnify);
         set(GL_TEXTURE_WRAP_S, wrap(sampling.wrap_s));
         set(GL_TEXTURE_WRAP_T, wrap(sampling.wrap_t));
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, sampling.base_level);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, sampling.max_level);
+        gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, sampling.min_lod);
+        gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, sampling.max_lod);
     }
 
     void draw(const DrawState& state, GeometryId id, std::span<const DrawRun> runs) override

@@ -86,6 +86,7 @@ namespace legacygl {
     X(void, StencilOp, (GLenum, GLenum, GLenum))                                                             \
     X(void, ShaderSource, (GLuint, GLsizei, const char* const*, const GLint*))                               \
     X(void, TexImage2D, (GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*))        \
+    X(void, TexParameterf, (GLenum, GLenum, GLfloat))                                                        \
     X(void, TexParameteri, (GLenum, GLenum, GLint))                                                          \
     X(void, Uniform1i, (GLint, GLint))                                                                       \
     X(void, Uniform4fv, (GLint, GLsizei, const GLfloat*))                                                    \

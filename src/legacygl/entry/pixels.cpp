@@ -2,8 +2,7 @@
 
 #include "legacygl/dispatch.h"
 #include "legacygl/pixel_conversion.h"
-
-#include <vector>
+#include "legacygl/read_back.h"
 
 using namespace legacygl;
 
@@ -68,12 +67,17 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
         [pixels](Context& gl, GLint left, GLint bottom, GLsizei w, GLsizei h, GLenum f, GLenum t) {
             if (w < 0 || h < 0)
                 return gl.set_error(GL_INVALID_VALUE);
-            const bool luminance = f == GL_LUMINANCE || f == GL_LUMINANCE_ALPHA;
-            if (values_per_pixel(f) == 0 || luminance || (t != GL_UNSIGNED_BYTE && t != GL_FLOAT))
-                return gl.set_error(GL_INVALID_ENUM);
-            std::vector<std::uint8_t> rgba(static_cast<std::size_t>(w) * h * 4);
-            gl.backend->read_pixels(left, bottom, w, h, rgba);
-            pack_pixels(gl.state.pack, w, h, f, t, rgba.data(), static_cast<std::uint8_t*>(pixels));
+            if (const GLenum error = format_type_error(f, t); error != GL_NO_ERROR)
+                return gl.set_error(error);
+            const PixelRectangle r = clip_to_frame(gl, left, bottom, w, h);
+            if (r.empty())
+                return;
+            PixelStore store = gl.state.pack;
+            store.row_length = store.row_length > 0 ? store.row_length : w;
+            store.skip_pixels += r.skipped_left;
+            store.skip_rows += r.skipped_below;
+            pack_pixels(store, r.width, r.height, f, t, read_frame(gl, r), ToLuminance::sum,
+                        static_cast<std::uint8_t*>(pixels));
         },
         x, y, width, height, format, type);
 }

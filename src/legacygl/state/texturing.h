@@ -13,22 +13,23 @@
 
 namespace legacygl {
 
-constexpr int MAXIMUM_TEXTURE_SIZE = 2048; // WebGL 2's least.
-
-/// One mipmap level as it was given, converted to RGBA bytes; kept so that a lost context can be rebuilt.
+/// One mipmap level, its texels as RGBA bytes as they are sampled; kept so that a lost context can be
+/// rebuilt.
 struct TextureImage
 {
     GLint internal_format = 1;
-    int width = 0;
+    int width = 0; ///< Without a border, which is dropped.
     int height = 0;
-    int border = 0;
-    std::vector<std::uint8_t> rgba;
+    std::vector<std::uint8_t> rgba{}; ///< Empty in a derived level.
+    bool derived = false;             ///< Made from the levels above by GL_GENERATE_MIPMAP.
+    bool changed = true;              ///< The backend's image is another.
 };
 
 /// What glTexParameter sets (OpenGL 1.5, table 6.16).
 struct TextureParameters
 {
     Sampling sampling;
+    GLenum wrap_r = GL_REPEAT;
     glm::vec4 border_color{0, 0, 0, 0};
     GLfloat priority = 1;
     bool generate_mipmap = false;
@@ -41,10 +42,12 @@ struct Texture
     std::vector<TextureImage> levels;
     TextureParameters parameters;
 
-    TextureObject object;         ///< The backend's texture, made at the first use.
-    bool images_changed = true;   ///< The backend's images are not those of levels.
-    bool sampling_changed = true; ///< The backend's sampling is not sampling.
+    TextureObject object;          ///< The backend's texture, made at the first use.
+    bool sampling_changed = true;  ///< The backend's sampling is not the parameters'.
+    bool levels_to_derive = false; ///< The backend's derived levels are not those of the base level.
 
+    /// Returns the level that is drawn with first, or null when there is none.
+    const TextureImage* base() const;
     /// Returns whether the levels that the sampling needs exist and fit together (OpenGL 1.5, 3.8.10).
     bool complete() const;
 };
@@ -101,29 +104,20 @@ struct TexturingState
     int client_active = 0;
     std::map<GLuint, std::shared_ptr<Texture>> textures; ///< A name without a texture is only reserved.
     std::array<std::shared_ptr<Texture>, TEXTURE_TARGET_COUNT> defaults; ///< Of the name 0.
+    /// What proxy targets answer of each level; without texels.
+    std::array<std::vector<TextureImage>, TEXTURE_TARGET_COUNT> proxies;
 
     TextureUnit& unit() { return units[active]; }
     const TextureUnit& unit() const { return units[active]; }
     /// Returns the texture of that name, or the target's default one for 0; null: there is none for the
     /// target (an index of TextureTarget).
-    Texture* named(int target, GLuint name) const;
+    std::shared_ptr<Texture> named(int target, GLuint name) const;
     /// Returns the texture bound to a target of a unit.
     Texture& bound(const TextureUnit& unit, TextureTarget target) const;
     Texture& bound(TextureTarget target) const { return bound(unit(), target); }
     /// Returns the texture that the unit draws with: the enabled target of the highest precedence, if its
     /// texture is complete; else null.
     Texture* used(const TextureUnit& unit) const;
-};
-
-/// OpenGL 1.5, table 6.21: how client memory is read and written.
-struct PixelStore
-{
-    bool swap_bytes = false;
-    bool lsb_first = false;
-    GLint alignment = 4;
-    GLint row_length = 0;
-    GLint skip_rows = 0;
-    GLint skip_pixels = 0;
 };
 
 } // namespace legacygl

@@ -1,0 +1,182 @@
+#include "legacygl/pixel_format.h"
+
+namespace legacygl {
+namespace {
+
+constexpr PackedType PACKED_TYPES[] = {
+    {GL_UNSIGNED_BYTE_3_3_2, 1, {3, 3, 2, 0}, false},
+    {GL_UNSIGNED_BYTE_2_3_3_REV, 1, {3, 3, 2, 0}, true},
+    {GL_UNSIGNED_SHORT_5_6_5, 2, {5, 6, 5, 0}, false},
+    {GL_UNSIGNED_SHORT_5_6_5_REV, 2, {5, 6, 5, 0}, true},
+    {GL_UNSIGNED_SHORT_4_4_4_4, 2, {4, 4, 4, 4}, false},
+    {GL_UNSIGNED_SHORT_4_4_4_4_REV, 2, {4, 4, 4, 4}, true},
+    {GL_UNSIGNED_SHORT_5_5_5_1, 2, {5, 5, 5, 1}, false},
+    {GL_UNSIGNED_SHORT_1_5_5_5_REV, 2, {5, 5, 5, 1}, true},
+    {GL_UNSIGNED_INT_8_8_8_8, 4, {8, 8, 8, 8}, false},
+    {GL_UNSIGNED_INT_8_8_8_8_REV, 4, {8, 8, 8, 8}, true},
+    {GL_UNSIGNED_INT_10_10_10_2, 4, {10, 10, 10, 2}, false},
+    {GL_UNSIGNED_INT_2_10_10_10_REV, 4, {10, 10, 10, 2}, true},
+};
+
+} // namespace
+
+BaseFormat base_format(GLint internal_format)
+{
+    switch (internal_format) {
+    case GL_ALPHA:
+    case GL_ALPHA4:
+    case GL_ALPHA8:
+    case GL_ALPHA12:
+    case GL_ALPHA16:
+        return BaseFormat::alpha;
+    case 1:
+    case GL_LUMINANCE:
+    case GL_LUMINANCE4:
+    case GL_LUMINANCE8:
+    case GL_LUMINANCE12:
+    case GL_LUMINANCE16:
+        return BaseFormat::luminance;
+    case 2:
+    case GL_LUMINANCE_ALPHA:
+    case GL_LUMINANCE4_ALPHA4:
+    case GL_LUMINANCE6_ALPHA2:
+    case GL_LUMINANCE8_ALPHA8:
+    case GL_LUMINANCE12_ALPHA4:
+    case GL_LUMINANCE12_ALPHA12:
+    case GL_LUMINANCE16_ALPHA16:
+        return BaseFormat::luminance_alpha;
+    case GL_INTENSITY:
+    case GL_INTENSITY4:
+    case GL_INTENSITY8:
+    case GL_INTENSITY12:
+    case GL_INTENSITY16:
+        return BaseFormat::intensity;
+    case 3:
+    case GL_RGB:
+    case GL_R3_G3_B2:
+    case GL_RGB4:
+    case GL_RGB5:
+    case GL_RGB8:
+    case GL_RGB10:
+    case GL_RGB12:
+    case GL_RGB16:
+        return BaseFormat::rgb;
+    case 4:
+    case GL_RGBA:
+    case GL_RGBA2:
+    case GL_RGBA4:
+    case GL_RGB5_A1:
+    case GL_RGBA8:
+    case GL_RGB10_A2:
+    case GL_RGBA12:
+    case GL_RGBA16:
+        return BaseFormat::rgba;
+    default:
+        return BaseFormat::none;
+    }
+}
+
+std::array<int, 4> texel_bits(GLint internal_format)
+{
+    // What a small format is stored with is free (OpenGL 1.5, 3.8.1); these are Mesa's choices.
+    switch (internal_format) {
+    case GL_R3_G3_B2:
+        return {3, 3, 2, 0};
+    case GL_RGB4:
+        return {4, 4, 4, 0};
+    case GL_RGB5:
+        return {5, 5, 5, 0};
+    case GL_RGBA2:
+    case GL_RGBA4:
+        return {4, 4, 4, 4};
+    case GL_RGB5_A1:
+        return {5, 5, 5, 1};
+    case GL_RGB10_A2:
+        return {8, 8, 8, 2};
+    case GL_LUMINANCE4_ALPHA4:
+        return {4, 0, 0, 4};
+    default:
+        break;
+    }
+    switch (base_format(internal_format)) {
+    case BaseFormat::alpha:
+        return {0, 0, 0, 8};
+    case BaseFormat::luminance:
+    case BaseFormat::intensity:
+        return {8, 0, 0, 0};
+    case BaseFormat::luminance_alpha:
+        return {8, 0, 0, 8};
+    case BaseFormat::rgb:
+        return {8, 8, 8, 0};
+    default:
+        return {8, 8, 8, 8};
+    }
+}
+
+int values_per_pixel(GLenum format)
+{
+    switch (format) {
+    case GL_RED:
+    case GL_GREEN:
+    case GL_BLUE:
+    case GL_ALPHA:
+    case GL_LUMINANCE:
+        return 1;
+    case GL_LUMINANCE_ALPHA:
+        return 2;
+    case GL_RGB:
+    case GL_BGR:
+        return 3;
+    case GL_RGBA:
+    case GL_BGRA:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+int bytes_per_value(GLenum type)
+{
+    switch (type) {
+    case GL_UNSIGNED_BYTE:
+    case GL_BYTE:
+        return 1;
+    case GL_UNSIGNED_SHORT:
+    case GL_SHORT:
+        return 2;
+    case GL_UNSIGNED_INT:
+    case GL_INT:
+    case GL_FLOAT:
+        return 4;
+    default: {
+        const PackedType* packed = find_packed_type(type);
+        return packed ? packed->bytes : 0;
+    }
+    }
+}
+
+int bytes_per_pixel(GLenum format, GLenum type)
+{
+    return find_packed_type(type) ? bytes_per_value(type) : bytes_per_value(type) * values_per_pixel(format);
+}
+
+GLenum format_type_error(GLenum format, GLenum type)
+{
+    if (values_per_pixel(format) == 0 || bytes_per_value(type) == 0)
+        return GL_INVALID_ENUM;
+    const PackedType* packed = find_packed_type(type);
+    if (!packed)
+        return GL_NO_ERROR;
+    const bool fits = packed->values() == 3 ? format == GL_RGB : format == GL_RGBA || format == GL_BGRA;
+    return fits ? GL_NO_ERROR : GL_INVALID_OPERATION;
+}
+
+const PackedType* find_packed_type(GLenum type)
+{
+    for (const PackedType& packed : PACKED_TYPES)
+        if (packed.type == type)
+            return &packed;
+    return nullptr;
+}
+
+} // namespace legacygl

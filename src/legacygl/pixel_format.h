@@ -1,0 +1,47 @@
+#pragma once
+
+#include "legacygl/shader_key.h"
+
+#include <GL/gl.h>
+
+#include <array>
+#include <cstdint>
+
+namespace legacygl {
+
+/// Returns the base format of an internal format, or none when it is not one (OpenGL 1.5, table 3.15, 3.16).
+BaseFormat base_format(GLint internal_format);
+
+/// Returns how many bits a texel of the internal format keeps of red, green, blue and alpha; luminance and
+/// intensity count as red. At most 8, even where the format asks for more. Preconditions: it has a base
+/// format.
+std::array<int, 4> texel_bits(GLint internal_format);
+
+/// Returns how many values a pixel of the format has (OpenGL 1.5, table 3.6); 0: not supported.
+int values_per_pixel(GLenum format);
+
+/// Returns the bytes of one value of the type, or of the whole pixel for a packed type; 0: not supported.
+int bytes_per_value(GLenum type);
+
+/// Returns the bytes of a pixel; format and type have no error.
+int bytes_per_pixel(GLenum format, GLenum type);
+
+/// Returns what is wrong with a client image of that format and type, or GL_NO_ERROR: GL_INVALID_ENUM for
+/// unknown ones, GL_INVALID_OPERATION for a packed type that does not hold the format's values (OpenGL 1.5,
+/// 3.6.4).
+GLenum format_type_error(GLenum format, GLenum type);
+
+/// How a packed type holds the values of a pixel (OpenGL 1.5, table 3.8).
+struct PackedType
+{
+    GLenum type;
+    int bytes;
+    std::array<int, 4> bits; ///< Of the first value, the second …; 0: there are but three.
+    bool reversed;           ///< The first value is in the least significant bits.
+    int values() const { return bits[3] == 0 ? 3 : 4; }
+};
+
+/// Returns the packed type, or null when the type holds one value.
+const PackedType* find_packed_type(GLenum type);
+
+} // namespace legacygl

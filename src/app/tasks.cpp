@@ -109,7 +109,7 @@ constexpr Task TASKS[] = {
          "texture, one colour for each part. Turn something: both do the same.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "turn_left", "turn_right",
                   "next_detail"},
-     .link = "heading=-30&orbit=0&tilt=8&distance=18&look_x=2.75&look_z=0&detail=both",
+     .link = "heading=-20&orbit=0&tilt=18&distance=14&look_x=2.25&look_y=1.2&look_z=0&detail=both",
      .source = "src/scene/draw_tank.cpp"},
     {.kind = TaskKind::task,
      .id = "3.2",
@@ -123,9 +123,10 @@ constexpr Task TASKS[] = {
      .id = "3.3",
      .title = "Switch the level at the threshold",
      .text = "Beyond the threshold distance the low model is drawn, inside it the high one. Go further and "
-             "come back: each crossing switches once, a little trembling about d does not.",
+             "come back: each crossing switches once, a little trembling about d does not. To see it switch, "
+             "come near and make that the threshold.",
      .commands = {"zoom_out", "zoom_in", "next_detail", "note_threshold"},
-     .link = "heading=-30&orbit=0&tilt=0&distance=57&look_z=0",
+     .link = "heading=-30&orbit=0&tilt=0&distance=250&look_z=0",
      .source = "src/lod/level_selector.cpp"},
     {.kind = TaskKind::figure,
      .id = "1",
@@ -228,7 +229,7 @@ constexpr Task TASKS[] = {
      .title = "The high and the low body",
      .text = "Side by side: the body of the high model, and that of the low one on the right.",
      .commands = {"orbit_left", "orbit_right", "next_parts"},
-     .link = "distance=15&look_x=2.75&look_z=0&detail=both&parts=body",
+     .link = "orbit=0&tilt=24&distance=12.5&look_x=2.75&look_y=0.8&look_z=0&detail=both&parts=body",
      .source = "src/scene/draw_tank.cpp"},
 };
 

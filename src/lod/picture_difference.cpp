@@ -1,5 +1,7 @@
 #include "lod/picture_difference.h"
 
+#include "lod/reduced_picture.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -71,6 +73,17 @@ std::optional<PictureDifference> measure_difference(const Picture& high, const P
 {
     return measured(high, low, tolerance,
                     [&](std::size_t byte) { return high.rgba[byte + 3] != 0 || low.rgba[byte + 3] != 0; });
+}
+
+std::optional<PictureDifference> measure_difference(const Picture& high, const Picture& low,
+                                                    const Picture& without_tank,
+                                                    const ShowingCriterion& criterion)
+{
+    if (!is_whole(high) || !is_whole(low) || !is_whole(without_tank)) {
+        return std::nullopt;
+    }
+    return measure_difference(reduced(high, criterion.patch).view(), reduced(low, criterion.patch).view(),
+                              reduced(without_tank, criterion.patch).view(), criterion.tolerance);
 }
 
 bool shows(const PictureDifference& difference, const ShowingCriterion& criterion)

@@ -84,8 +84,8 @@ lod::PictureDifference difference_at(const CheckSubject& subject, double distanc
     const auto as_picture = [&](const std::vector<std::uint8_t>& rgba) {
         return lod::Picture{window.width, window.height, rgba};
     };
-    const lod::ShowingCriterion criterion;
-    return lod::measure_difference(as_picture(high), as_picture(low), as_picture(none), criterion.tolerance)
+    return lod::measure_difference(as_picture(high), as_picture(low), as_picture(none),
+                                   lod::ShowingCriterion{})
         .value_or(lod::PictureDifference{});
 }
 
@@ -102,12 +102,12 @@ void check_difference(const CheckSubject& subject, Evidence& evidence)
     const lod::ShowingCriterion criterion;
     evidence.require(beyond.tank_pixels > 0 && !lod::shows(beyond, criterion),
                      "Beyond the d of " + app::in_metres(d) + " m high and low differ in " +
-                         percent(beyond.share()) + " of the tank's pixels: nobody sees that.",
+                         percent(beyond.share()) + " of the tank's patches: nobody sees that.",
                      "Beyond the d of " + app::in_metres(d) + " m high and low differ in " +
                          std::to_string(beyond.differing) + " of the tank's " +
-                         std::to_string(beyond.tank_pixels) + " pixels.");
+                         std::to_string(beyond.tank_pixels) + " patches.");
     evidence.require(lod::shows(inside, criterion),
-                     "Well inside of it they differ in " + percent(inside.share()) + " of its pixels.",
+                     "Well inside of it they differ in " + percent(inside.share()) + " of them.",
                      "Well inside of it they do not differ: the threshold could be nearer.");
 }
 

@@ -11,6 +11,7 @@
 #include "platform/offscreen_target.h"
 #include "platform/png_file.h"
 #include "platform/render_options.h"
+#include "platform/threshold_measurement.h"
 #include "scene/read_pixels.h"
 #include "scene/scene_renderer.h"
 
@@ -45,7 +46,8 @@ std::string start_other_renderer(RendererName renderer, char** arguments)
     return "The renderer asked for is in " + other.string() + ", which cannot be started.";
 }
 
-/// Draws what the simulation shows and writes the picture. Returns "" or what failed.
+/// Draws what the simulation shows and writes the picture, or measures it, or both. Returns "" or what
+/// failed.
 std::string draw_picture(const RenderOptions& options, const app::Simulation& simulation)
 {
     std::string error;
@@ -58,9 +60,16 @@ std::string draw_picture(const RenderOptions& options, const app::Simulation& si
     if (error = renderer.load(simulation.assets()); !error.empty()) {
         return error;
     }
-    renderer.draw(simulation.frame(), options.width, options.height);
-    const std::vector<std::uint8_t> rgba = scene::read_pixels(options.width, options.height);
-    return write_png(options.out, options.width, options.height, rgba);
+    if (!options.out.empty()) {
+        renderer.draw(simulation.frame(), options.width, options.height);
+        const std::vector<std::uint8_t> rgba = scene::read_pixels(options.width, options.height);
+        error = write_png(options.out, options.width, options.height, rgba);
+    }
+    if (error.empty() && options.measure_threshold) {
+        app::Simulation measured = simulation;
+        print_threshold(measure_threshold(measured, renderer, options.width, options.height));
+    }
+    return error;
 }
 
 int run(int argument_count, char** arguments)
@@ -74,7 +83,7 @@ int run(int argument_count, char** arguments)
         std::fputs(render_usage(), stdout);
         return 0;
     }
-    const bool draws = !options.out.empty();
+    const bool draws = !options.out.empty() || options.measure_threshold;
     if (draws && options.renderer != offscreen_renderer()) {
         return fail(start_other_renderer(options.renderer, arguments));
     }

@@ -66,6 +66,18 @@ std::string read_valued(std::string_view name, std::string_view value, RenderOpt
     return "";
 }
 
+/// Fills in what was not given, where it may be left out.
+void fill_in_defaults(bool have_link, RenderOptions& options)
+{
+    if (options.measure_threshold && !have_link) {
+        options.link = "task=3.2"; // the handout's camera
+    }
+    if (options.width == 0) {
+        options.width = options.measure_threshold ? 1280 : 960;
+        options.height = options.measure_threshold ? 800 : 540;
+    }
+}
+
 bool takes_value(std::string_view name)
 {
     return name == "--size" || name == "--renderer" || name == "--out" || name == "--assets";
@@ -84,6 +96,8 @@ std::string read_render_options(std::span<const char* const> arguments, RenderOp
         }
         if (argument == "--state") {
             options.state = true;
+        } else if (argument == "--measure-threshold") {
+            options.measure_threshold = true;
         } else if (takes_value(argument)) {
             if (i + 1 == arguments.size()) {
                 return std::string(argument) + " needs a value.";
@@ -101,11 +115,12 @@ std::string read_render_options(std::span<const char* const> arguments, RenderOp
             have_link = true;
         }
     }
-    if (!have_link) {
+    fill_in_defaults(have_link, options);
+    if (!have_link && !options.measure_threshold) {
         return "There is no link: give one, such as '#turret=30', or '' for the tank as it starts.";
     }
-    if (options.out.empty() && !options.state) {
-        return "There is nothing to do: give --out FILE.png, --state or both.";
+    if (options.out.empty() && !options.state && !options.measure_threshold) {
+        return "There is nothing to do: give --out FILE.png, --state, --measure-threshold or several.";
     }
     return "";
 }
@@ -115,12 +130,17 @@ const char* render_usage()
     return "Usage: tanklab-render LINK [--renderer emulated|reference] [--size WxH] [--out FILE.png] "
            "[--state]\n"
            "                      [--assets DIR]\n"
+           "       tanklab-render [LINK] --measure-threshold [--renderer emulated|reference] [--size WxH]\n"
            "Draws the state a link describes, such as '#turret=30&distance=40', without a window.\n"
            "  --renderer emulated   through legacygl on OpenGL ES 3 (the default)\n"
            "  --renderer reference  through the system's own OpenGL\n"
            "  --size WxH            the picture's size in pixels (default 960x540)\n"
            "  --out FILE.png        where the picture goes\n"
            "  --state               prints the state as JSON; without --out, draws nothing\n"
+           "  --measure-threshold   measures from which distance on the high and the low model cannot be "
+           "told\n"
+           "                        apart, and prints what it saw at each; without a link, as task 3.2 has\n"
+           "                        them, and in 1280x800\n"
            "  --assets DIR          the folder of the tank's OBJ files and texture\n";
 }
 

@@ -16,11 +16,12 @@ struct RenderOptions
 {
     std::string link; ///< A fragment, with or without '#', or a whole address that ends in one.
     RendererName renderer = RendererName::emulated;
-    int width = 960;    ///< pixels
-    int height = 540;   ///< pixels
+    int width = 0;      ///< pixels
+    int height = 0;     ///< pixels
     std::string out;    ///< The PNG file to write; "" when only the state is asked for.
     std::string assets; ///< The folder of the tank's files; "": the one that comes with the program.
     bool state = false;
+    bool measure_threshold = false;
     bool help = false;
 };
 

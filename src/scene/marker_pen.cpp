@@ -14,6 +14,9 @@ namespace {
 /// No ball is smaller than this part of the window's height, in radius.
 constexpr double LEAST_RADIUS = 0.006;
 
+/// The ring around a ball is so many times larger.
+constexpr double RING_TO_BALL = 2.0;
+
 /// The length of an arrow head is this part of the window's height; its radius is a third of that.
 constexpr double ARROW_LENGTH = 0.04;
 
@@ -38,10 +41,11 @@ void MarkerPen::ball(Rgb colour, const glm::dvec3& centre, double radius) const
     shapes_.draw_ball(centre, std::max(radius, seen_size(centre, LEAST_RADIUS)));
 }
 
-void MarkerPen::halo(Rgb colour, const glm::dvec3& centre, double radius) const
+void MarkerPen::ring(Rgb colour, const glm::dvec3& centre, double radius) const
 {
     set_colour(colour);
-    shapes_.draw_wire_sphere(centre, 2.0 * std::max(radius, seen_size(centre, LEAST_RADIUS)));
+    const double size = RING_TO_BALL * std::max(radius, seen_size(centre, LEAST_RADIUS));
+    shapes_.draw_ring(centre, size * axes_.right, size * axes_.up);
 }
 
 void MarkerPen::arrow_head(Rgb colour, const glm::dvec3& base, const glm::dvec3& direction) const

@@ -20,8 +20,8 @@ public:
     /// Draws a ball, lit, at least as large as a mark has to be to be seen.
     void ball(Rgb colour, const glm::dvec3& centre, double radius) const;
 
-    /// Draws a wire sphere around such a ball.
-    void halo(Rgb colour, const glm::dvec3& centre, double radius) const;
+    /// Draws a ring around such a ball, which faces the eye.
+    void ring(Rgb colour, const glm::dvec3& centre, double radius) const;
 
     /// Draws an arrow head, lit, that points in a direction of unit length and begins at `base`.
     void arrow_head(Rgb colour, const glm::dvec3& base, const glm::dvec3& direction) const;

@@ -19,7 +19,7 @@ void draw_handle(const app::ProbeInFrame& probe, app::Handle handle, const glm::
 {
     pen.ball(PROBE_COLOUR, place, HANDLE_RADIUS);
     if (probe.handle == handle) {
-        pen.halo(MOVED_COLOUR, place, HANDLE_RADIUS);
+        pen.ring(MOVED_COLOUR, place, HANDLE_RADIUS);
     }
 }
 

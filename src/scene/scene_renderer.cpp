@@ -88,8 +88,8 @@ void SceneRenderer::draw(const app::Frame& frame, int width, int height) const
         surroundings_.draw_ground(frame);
     }
     draw_tanks(frame);
-    draw_markers(frame, shapes_, height);
     draw_spheres(frame, shapes_);
+    draw_markers(frame, shapes_, height);
     particle_drawing_.draw(frame, height);
 }
 

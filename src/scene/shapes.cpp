@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include <GL/gl.h>
 #include <GL/glu.h>
@@ -27,6 +28,26 @@ void draw_unit_sphere(GLUquadric* quadric, GLenum style, int slices, int stacks)
     gluSphere(quadric, 1.0, slices, stacks);
 }
 
+constexpr int RING_CORNERS = 40;
+
+void draw_unit_ring()
+{
+    glBegin(GL_LINE_LOOP);
+    for (int corner = 0; corner < RING_CORNERS; ++corner) {
+        const double around = 2.0 * std::numbers::pi * corner / RING_CORNERS;
+        glVertex3f(static_cast<float>(std::cos(around)), static_cast<float>(std::sin(around)), 0.0f);
+    }
+    glEnd();
+}
+
+/// Moves what is drawn into a frame of three axes at an origin.
+void enter_frame(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin)
+{
+    const GLdouble columns[16] = {x.x, x.y, x.z, 0.0, y.x,      y.y,      y.z,      0.0,
+                                  z.x, z.y, z.z, 0.0, origin.x, origin.y, origin.z, 1.0};
+    glMultMatrixd(columns);
+}
+
 } // namespace
 
 bool Shapes::load()
@@ -48,6 +69,7 @@ bool Shapes::load()
         gluQuadricDrawStyle(quadric, GLU_FILL);
         gluCylinder(quadric, 1.0, 0.0, 1.0, 20, 1);
     });
+    compile(RING, draw_unit_ring);
     gluDeleteQuadric(quadric);
     return true;
 }
@@ -64,14 +86,16 @@ void Shapes::draw_cone(const glm::dvec3& base, const glm::dvec3& direction, doub
                        double length) const
 {
     const glm::dvec3 x = across(direction);
-    const glm::dvec3 y = glm::cross(direction, x);
-    // The cone's axis, z, goes along the direction. Column by column.
-    const GLdouble frame[16] = {x.x,         x.y,         x.z,         0.0, y.x,    y.y,    y.z,    0.0,
-                                direction.x, direction.y, direction.z, 0.0, base.x, base.y, base.z, 1.0};
     const PushedMatrix matrix;
-    glMultMatrixd(frame);
-    glScaled(radius, radius, length);
+    enter_frame(radius * x, radius * glm::cross(direction, x), length * direction, base);
     glCallList(first_list_ + CONE);
+}
+
+void Shapes::draw_ring(const glm::dvec3& centre, const glm::dvec3& x, const glm::dvec3& y) const
+{
+    const PushedMatrix matrix;
+    enter_frame(x, y, glm::cross(x, y), centre);
+    glCallList(first_list_ + RING);
 }
 
 } // namespace scene

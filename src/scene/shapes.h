@@ -25,6 +25,9 @@ public:
     /// Draws a cone without a base, from its base to its tip. direction: of unit length.
     void draw_cone(const glm::dvec3& base, const glm::dvec3& direction, double radius, double length) const;
 
+    /// Draws a ring, a line, in the plane of two axes. Their lengths are the ring's radius.
+    void draw_ring(const glm::dvec3& centre, const glm::dvec3& x, const glm::dvec3& y) const;
+
     /// Returns the names of the lists of spheres, for those who check what was drawn.
     unsigned sphere_list() const { return first_list_ + SPHERE; }
     unsigned wire_sphere_list() const { return first_list_ + WIRE_SPHERE; }
@@ -36,6 +39,7 @@ private:
         WIRE_SPHERE,
         BALL,
         CONE,
+        RING,
         LIST_COUNT
     };
 

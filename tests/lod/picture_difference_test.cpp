@@ -106,5 +106,25 @@ TEST(PictureDifferenceTest, ADifferenceShowsBeyondAShareOfTheTankAndAFewPixels)
         shows({.tank_pixels = 100, .differing = 1, .largest = 1}, {.tolerance = 0, .share = 0, .pixels = 0}));
 }
 
+TEST(PictureDifferenceTest, ByACriterionCountsPatches)
+{
+    // 4 x 2 pixels, patches of 2 x 2: in the left one single pixels differ and cancel out, the right one is
+    // another in all.
+    const auto grey = [](std::initializer_list<std::uint8_t> values) {
+        std::vector<std::uint8_t> rgba;
+        for (std::uint8_t value : values) {
+            rgba.insert(rgba.end(), {value, value, value, 255});
+        }
+        return rgba;
+    };
+    const auto high = grey({0, 200, 50, 50, 200, 0, 50, 50});
+    const auto low = grey({200, 0, 90, 90, 0, 200, 90, 90});
+    const auto none = grey({250, 250, 50, 50, 250, 250, 50, 50});
+    const ShowingCriterion criterion{.patch = 2, .tolerance = 30};
+    EXPECT_EQ(measure_difference({4, 2, high}, {4, 2, low}, {4, 2, none}, criterion),
+              (PictureDifference{.tank_pixels = 2, .differing = 1, .largest = 40}));
+    EXPECT_FALSE(measure_difference({4, 3, high}, {4, 2, low}, {4, 2, none}, criterion));
+}
+
 } // namespace
 } // namespace lod

@@ -84,7 +84,7 @@ macro(tanklab_for_each_mutant)
     [=[-1.0 : reach * reach};]=]
     [=[-1.0 : reach};]=])
   tanklab_mutant(2.4a scene/spheres.cpp "Penetrated spheres are opaque."
-    [=[sphere.is_root ? ROOT_OPACITY : PART_OPACITY);]=]
+    [=[(sphere.is_root ? ROOT_OPACITY : PART_OPACITY).*use);]=]
     [=[255);]=])
   tanklab_mutant(2.4b scene/spheres.cpp "Penetrated spheres are drawn with a radius of one metre."
     [=[shapes.draw_sphere(sphere.centre, sphere.radius);]=]

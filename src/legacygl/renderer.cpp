@@ -42,8 +42,10 @@ Pipeline make_pipeline(const State& state)
 const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive)
 {
     const bool points = primitive == PrimitiveClass::points;
-    if (!changed_ && key_ && key_->points == points)
+    if (!(changed_ & ~matrices) && key_ && key_->points == points &&
+        (!changed_ || matrix_key(state) == matrix_key_))
         return *key_;
+    matrix_key_ = matrix_key(state);
     const ShaderKey key = make_shader_key(state, primitive);
     if (!key_ || !(key == *key_)) {
         key_ = key;

@@ -55,6 +55,7 @@ private:
     Backend& backend_;
     std::uint32_t changed_ = everything;
     std::optional<ShaderKey> key_; ///< Of the last draw, while nothing changed.
+    std::uint32_t matrix_key_ = 0; ///< What the matrices gave to the key.
     std::unordered_map<ShaderKey, ProgramId, ShaderKeyHash> programs_;
     std::array<Group, UNIFORM_GROUP_COUNT> groups_;
     DrawState draw_state_;

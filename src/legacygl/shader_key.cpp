@@ -41,7 +41,8 @@ void add_lighting(const State& state, ShaderKey& key)
 
 bool is_identity(const Matrix& matrix)
 {
-    return std::memcmp(matrix.values(), Matrix().values(), sizeof(float) * 16) == 0;
+    static const Matrix identity;
+    return std::memcmp(matrix.values(), identity.values(), sizeof(float) * 16) == 0;
 }
 
 /// With nearest filters GL_CLAMP is GL_CLAMP_TO_EDGE.
@@ -138,6 +139,14 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive)
     }
     if (state.fragment.alpha_test)
         key.alpha_func = state.fragment.alpha_func;
+    return key;
+}
+
+std::uint32_t matrix_key(const State& state)
+{
+    std::uint32_t key = state.lighting.enabled && state.transform.modelview.top().preserves_length();
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        key = key << 1 | std::uint32_t{is_identity(state.transform.texture[unit].top())};
     return key;
 }
 

@@ -101,6 +101,10 @@ struct ShaderKeyHash
 /// Returns the key of the state, for primitives of one class.
 ShaderKey make_shader_key(const State& state, PrimitiveClass primitive);
 
+/// Returns what the matrices give to the key of the state: while this and all other state stays, so does the
+/// key.
+std::uint32_t matrix_key(const State& state);
+
 /// Which attributes the shader of the key reads, as bits of Attribute.
 std::uint32_t attributes_read(const ShaderKey& key);
 

@@ -1,25 +1,18 @@
 #include "legacygl/backend/es3_backend.h"
 
 #include "legacygl/backend/es3_functions.h"
+#include "legacygl/backend/es3_geometry.h"
 #include "legacygl/backend/es3_shader.h"
+#include "legacygl/backend/es3_stream.h"
 #include "legacygl/backend/es3_target.h"
 
 #include <cstdio>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace legacygl {
 namespace {
-
-struct Geometry
-{
-    GLuint vertex_array = 0;
-    GLuint vertices = 0;
-    GLuint indices = 0;
-    VertexFormat format;
-};
 
 struct Program
 {
@@ -28,17 +21,7 @@ struct Program
     std::array<std::uint64_t, UNIFORM_GROUP_COUNT> revisions{}; ///< Of the values it holds.
 };
 
-GLenum draw_mode(PrimitiveClass primitive)
-{
-    switch (primitive) {
-    case PrimitiveClass::points:
-        return GL_POINTS;
-    case PrimitiveClass::lines:
-        return GL_LINES;
-    default:
-        return GL_TRIANGLES;
-    }
-}
+constexpr int TRANSFORM = static_cast<int>(UniformGroup::transform);
 
 /// Index 0 stays empty, so that 0 can mean none.
 template <class T> std::uint32_t add(std::vector<T>& objects, const T& object)
@@ -59,8 +42,7 @@ public:
 
     ~Es3Backend() override
     {
-        for (Geometry& geometry : geometries_)
-            destroy(geometry);
+        geometries_.clear();
         for (const Program& program : programs_)
             gl_.DeleteProgram(program.name);
         target_.destroy();
@@ -68,6 +50,7 @@ public:
 
     ProgramId create_program(const ProgramText& text) override
     {
+        draw_gathered();
         Program program;
         std::string message;
         program.name = link_program(gl_, text.vertex, text.fragment, message);
@@ -88,24 +71,10 @@ public:
     GeometryId create_geometry(const VertexFormat& format, std::span<const float> vertices,
                                std::span<const std::uint32_t> indices) override
     {
-        Geometry geometry = make_geometry(format, !indices.empty());
-        upload(GL_ARRAY_BUFFER, vertices.size_bytes(), vertices.data(), GL_STATIC_DRAW);
-        if (!indices.empty())
-            upload(GL_ELEMENT_ARRAY_BUFFER, indices.size_bytes(), indices.data(), GL_STATIC_DRAW);
-        if (!free_geometries_.empty()) {
-            const GeometryId id = free_geometries_.back();
-            free_geometries_.pop_back();
-            geometries_[id] = geometry;
-            return id;
-        }
-        return add(geometries_, geometry);
+        return geometries_.create(format, vertices, indices);
     }
 
-    void destroy_geometry(GeometryId id) override
-    {
-        destroy(geometries_[id]);
-        free_geometries_.push_back(id);
-    }
+    void destroy_geometry(GeometryId id) override { geometries_.destroy(id); }
 
     TextureId create_texture() override
     {
@@ -116,6 +85,7 @@ public:
 
     void destroy_texture(TextureId id) override
     {
+        draw_gathered();
         gl_.DeleteTextures(1, &id);
         for (TextureId& bound : bound_textures_)
             if (bound == id)
@@ -125,6 +95,7 @@ public:
     void texture_image(TextureId id, int level, int width, int height,
                        std::span<const std::uint8_t> rgba) override
     {
+        draw_gathered();
         bind_texture(id);
         gl_.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                        rgba.data());
@@ -134,12 +105,14 @@ public:
 
     void generate_mipmap(TextureId id) override
     {
+        draw_gathered();
         bind_texture(id);
         gl_.GenerateMipmap(GL_TEXTURE_2D);
     }
 
     void sampling(TextureId id, const Sampling& sampling) override
     {
+        draw_gathered();
         bind_texture(id);
         const auto set = [this](GLenum name, GLenum value) {
             gl_.TexParameteri(GL_TEXTURE_2D, name, static_cast<GLint>(value));
@@ -160,29 +133,27 @@ public:
 
     void draw(const DrawState& state, GeometryId id, std::span<const DrawRun> runs) override
     {
-        const Geometry& geometry = geometries_[id];
-        if (!apply(state, geometry.format))
-            return;
-        bind_vertex_array(geometry.vertex_array);
-        draw_runs(runs);
+        draw_gathered();
+        if (apply(state, geometries_.format(id)))
+            geometries_.draw(id, runs);
     }
 
     void draw_stream(const DrawState& state, const VertexFormat& format, std::span<const float> vertices,
                      std::span<const std::uint32_t> indices, std::span<const DrawRun> runs) override
     {
-        if (!apply(state, format))
-            return;
-        Geometry& geometry = stream_geometry(format);
-        bind_vertex_array(geometry.vertex_array);
-        gl_.BindBuffer(GL_ARRAY_BUFFER, geometry.vertices);
-        upload(GL_ARRAY_BUFFER, vertices.size_bytes(), vertices.data(), GL_STREAM_DRAW);
-        if (!indices.empty())
-            upload(GL_ELEMENT_ARRAY_BUFFER, indices.size_bytes(), indices.data(), GL_STREAM_DRAW);
-        draw_runs(runs);
+        if (gathered_.empty() || gathered_.full() || !only_transform_changes(state, format)) {
+            draw_gathered();
+            if (!apply(state, format))
+                return;
+            gathered_.format = format;
+            gathered_program_ = state.program;
+        }
+        gathered_.add(state.uniforms[TRANSFORM], vertices, indices, runs);
     }
 
     void clear(const Pipeline& pipeline, const Clear& clear) override
     {
+        draw_gathered();
         apply(pipeline);
         gl_.ClearColor(clear.color.r, clear.color.g, clear.color.b, clear.color.a);
         gl_.ClearDepthf(clear.depth);
@@ -192,19 +163,26 @@ public:
 
     void read_pixels(int x, int y, int width, int height, std::span<std::uint8_t> rgba) override
     {
+        draw_gathered();
         gl_.ReadPixels(x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     }
 
-    void flush(bool wait) override { wait ? gl_.Finish() : gl_.Flush(); }
+    void flush(bool wait) override
+    {
+        draw_gathered();
+        wait ? gl_.Finish() : gl_.Flush();
+    }
 
     void resize(int width, int height) override
     {
+        draw_gathered();
         target_.resize(width, height);
         forget_state();
     }
 
     void present() override
     {
+        draw_gathered();
         target_.present();
         forget_state();
     }
@@ -213,9 +191,8 @@ public:
     {
         ++generation;
         programs_.resize(1);
-        geometries_.resize(1);
-        free_geometries_.clear();
-        streams_.clear();
+        geometries_.forget();
+        gathered_.clear();
         target_.forget();
         lost_ = true;
     }
@@ -241,73 +218,56 @@ private:
         used_program_ = 0;
         bound_textures_ = {};
         active_unit_ = -1;
-        bound_vertex_array_ = 0;
+        geometries_.forget_binding();
         constants_ = {};
     }
 
-    void upload(GLenum target, std::size_t bytes, const void* data, GLenum usage)
+    /// Whether the draw differs from those gathered in its vertices and its transform alone.
+    bool only_transform_changes(const DrawState& state, const VertexFormat& format) const
     {
-        gl_.BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
-        ++counters.uploads;
-        counters.upload_bytes += bytes;
+        if (state.program != gathered_program_ || format != gathered_.format ||
+            !(state.pipeline == *pipeline_))
+            return false;
+        const Program& program = programs_[state.program];
+        for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
+            if (i != TRANSFORM && program.locations[i] >= 0 &&
+                program.revisions[i] != state.uniforms[i].revision)
+                return false;
+        for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+            if (state.textures[unit] != 0 && state.textures[unit] != bound_textures_[unit])
+                return false;
+        for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+            if (format.components[i] == 0 && constants_[i] != (*state.constants)[i])
+                return false;
+        return true;
     }
 
-    Geometry make_geometry(const VertexFormat& format, bool indexed)
+    /// Draws what waits for its upload; everything that looks at the picture or changes what is used does so
+    /// first.
+    void draw_gathered()
     {
-        Geometry geometry;
-        geometry.format = format;
-        gl_.GenVertexArrays(1, &geometry.vertex_array);
-        bind_vertex_array(geometry.vertex_array);
-        gl_.GenBuffers(1, &geometry.vertices);
-        gl_.BindBuffer(GL_ARRAY_BUFFER, geometry.vertices);
-        std::size_t offset = 0;
-        for (int i = 0; i < ATTRIBUTE_COUNT; ++i) {
-            if (format.components[i] == 0)
-                continue;
-            gl_.EnableVertexAttribArray(i);
-            gl_.VertexAttribPointer(i, format.components[i], GL_FLOAT, GL_FALSE,
-                                    static_cast<GLsizei>(format.floats() * sizeof(float)),
-                                    reinterpret_cast<const void*>(offset));
-            offset += format.components[i] * sizeof(float);
-        }
-        if (indexed) {
-            gl_.GenBuffers(1, &geometry.indices);
-            gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, geometry.indices);
-        }
-        return geometry;
-    }
-
-    /// The vertex array for streamed vertices of a format; one a format, made at its first use.
-    Geometry& stream_geometry(const VertexFormat& format)
-    {
-        std::uint64_t key = 0;
-        for (std::uint8_t components : format.components)
-            key = key * 5 + components;
-        const auto found = streams_.find(key);
-        if (found != streams_.end())
-            return geometries_[found->second];
-        const GeometryId id = add(geometries_, make_geometry(format, true));
-        streams_[key] = id;
-        return geometries_[id];
-    }
-
-    void destroy(Geometry& geometry)
-    {
-        if (geometry.vertex_array == 0)
+        if (gathered_.empty())
             return;
-        if (bound_vertex_array_ == geometry.vertex_array)
-            bound_vertex_array_ = 0;
-        gl_.DeleteVertexArrays(1, &geometry.vertex_array);
-        gl_.DeleteBuffers(1, &geometry.vertices);
-        gl_.DeleteBuffers(1, &geometry.indices);
-        geometry = Geometry{};
+        geometries_.bind_stream(gathered_.format, gathered_.vertices, gathered_.indices);
+        Program& program = programs_[gathered_program_];
+        for (const Es3Stream::Draw& draw : gathered_.draws) {
+            upload(program, TRANSFORM,
+                   {std::span(gathered_.transforms).subspan(draw.first_value, draw.values), draw.revision});
+            geometries_.draw_runs(std::span(gathered_.runs).subspan(draw.first_run, draw.runs),
+                                  draw.first_vertex, draw.first_index);
+        }
+        gathered_.clear();
     }
 
-    void bind_vertex_array(GLuint name)
+    /// Uploads a group's values unless the program, which is in use, has them.
+    void upload(Program& program, int group, const UniformValues& values)
     {
-        if (bound_vertex_array_ != name)
-            gl_.BindVertexArray(name);
-        bound_vertex_array_ = name;
+        if (program.locations[group] < 0 || program.revisions[group] == values.revision)
+            return;
+        program.revisions[group] = values.revision;
+        gl_.Uniform4fv(program.locations[group], static_cast<GLsizei>(values.values.size()),
+                       &values.values.front().x);
+        ++counters.uniform_uploads;
     }
 
     /// Binds the texture to the unit, which is then the active one if anything had to be done.
@@ -406,15 +366,8 @@ private:
         if (used_program_ != program.name)
             gl_.UseProgram(program.name);
         used_program_ = program.name;
-        for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i) {
-            const UniformValues& values = state.uniforms[i];
-            if (program.locations[i] < 0 || program.revisions[i] == values.revision)
-                continue;
-            program.revisions[i] = values.revision;
-            gl_.Uniform4fv(program.locations[i], static_cast<GLsizei>(values.values.size()),
-                           &values.values.front().x);
-            ++counters.uniform_uploads;
-        }
+        for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
+            upload(program, i, state.uniforms[i]);
         for (int unit = TEXTURE_UNIT_COUNT; unit-- > 0;)
             if (state.textures[unit] != 0)
                 bind_texture(state.textures[unit], unit);
@@ -423,26 +376,12 @@ private:
         return program.name != 0;
     }
 
-    void draw_runs(std::span<const DrawRun> runs)
-    {
-        for (const DrawRun& run : runs) {
-            const auto count = static_cast<GLsizei>(run.count);
-            if (run.indexed)
-                gl_.DrawElements(draw_mode(run.primitive), count, GL_UNSIGNED_INT,
-                                 reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
-            else
-                gl_.DrawArrays(draw_mode(run.primitive), static_cast<GLint>(run.first), count);
-            ++counters.draw_calls;
-            counters.vertices += run.count;
-        }
-    }
-
     const Es3Functions gl_;
     Es3Target target_;
-    std::vector<Geometry> geometries_{1};
-    std::vector<GeometryId> free_geometries_;
+    Es3Geometries geometries_{gl_, counters};
+    Es3Stream gathered_;
+    ProgramId gathered_program_ = 0;
     std::vector<Program> programs_{1};
-    std::unordered_map<std::uint64_t, GeometryId> streams_;
 
     bool lost_ = false;
     std::optional<Pipeline> pipeline_; ///< What ES has now; empty when that is not known.
@@ -450,7 +389,6 @@ private:
     GLuint used_program_ = 0;
     std::array<TextureId, TEXTURE_UNIT_COUNT> bound_textures_{};
     int active_unit_ = -1; ///< -1: not known.
-    GLuint bound_vertex_array_ = 0;
 };
 
 } // namespace

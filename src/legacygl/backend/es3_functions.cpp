@@ -4,10 +4,7 @@ namespace legacygl {
 
 std::string Es3Functions::load([[maybe_unused]] LegacyGLLoader loader)
 {
-#ifdef __EMSCRIPTEN__
-#define LEGACYGL_LOAD(result, name, parameters) name = emscripten_gl##name;
-    LEGACYGL_ES3_FUNCTIONS(LEGACYGL_LOAD)
-#else
+#ifndef __EMSCRIPTEN__
     if (!loader)
         return "any: there is no loader";
 #define LEGACYGL_LOAD(result, name, parameters)                                                              \
@@ -15,8 +12,8 @@ std::string Es3Functions::load([[maybe_unused]] LegacyGLLoader loader)
     if (!name)                                                                                               \
         return "gl" #name;
     LEGACYGL_ES3_FUNCTIONS(LEGACYGL_LOAD)
-#endif
 #undef LEGACYGL_LOAD
+#endif
     return {};
 }
 

@@ -95,14 +95,19 @@ namespace legacygl {
     X(void, VertexAttribPointer, (GLuint, GLint, GLenum, GLboolean, GLsizei, const void*))                   \
     X(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-/// Pointers to those functions.
+/// Those functions: on the web known when compiling, so that a call is a direct one; natively pointers.
 struct Es3Functions
 {
+#ifdef __EMSCRIPTEN__
+#define LEGACYGL_MEMBER(result, name, parameters)                                                            \
+    static constexpr result(*name) parameters = emscripten_gl##name;
+#else
 #define LEGACYGL_MEMBER(result, name, parameters) result(*name) parameters = nullptr;
+#endif
     LEGACYGL_ES3_FUNCTIONS(LEGACYGL_MEMBER)
 #undef LEGACYGL_MEMBER
 
-    /// Fills the pointers. Returns the name of the first function that is missing, or "".
+    /// Finds the native ones. Returns the name of the first function that is missing, or "".
     /// A loader that returns non-null for any name (EGL's may) cannot be caught here.
     std::string load(LegacyGLLoader loader);
 };

@@ -18,6 +18,8 @@ inline Capability find_capability(State& state, GLenum capability)
     LightingState& lighting = state.lighting;
     if (capability >= GL_LIGHT0 && capability < GL_LIGHT0 + LIGHT_COUNT)
         return {&lighting.lights[capability - GL_LIGHT0].enabled, Renderer::lighting};
+    if (capability >= GL_CLIP_PLANE0 && capability < GL_CLIP_PLANE0 + CLIP_PLANE_COUNT)
+        return {&state.transform.clip_planes[capability - GL_CLIP_PLANE0].enabled, Renderer::pipeline};
     switch (capability) {
     case GL_LIGHTING:
         return {&lighting.enabled, Renderer::lighting};
@@ -58,6 +60,20 @@ inline Capability find_capability(State& state, GLenum capability)
         return {&state.raster.polygon_offset_line, Renderer::pipeline};
     case GL_POLYGON_OFFSET_POINT:
         return {&state.raster.polygon_offset_point, Renderer::pipeline};
+    case GL_POLYGON_SMOOTH:
+        return {&state.raster.polygon_smooth, Renderer::pipeline};
+    case GL_POLYGON_STIPPLE:
+        return {&state.raster.polygon_stipple.enabled, Renderer::fragments};
+    case GL_LINE_SMOOTH:
+        return {&state.raster.line_smooth, Renderer::pipeline};
+    case GL_LINE_STIPPLE:
+        return {&state.raster.line_stipple.enabled, Renderer::pipeline};
+    case GL_POINT_SMOOTH:
+        return {&state.raster.point_smooth, Renderer::pipeline};
+    case GL_COLOR_LOGIC_OP:
+        return {&state.fragment.color_logic_op, Renderer::pipeline};
+    case GL_INDEX_LOGIC_OP:
+        return {&state.fragment.index_logic_op, Renderer::pipeline};
     case GL_DITHER:
         return {&state.fragment.dither, Renderer::pipeline};
     default:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array<const char*, ATTRIBUTE_COUNT> ATTRIBUTE_CALLS = {
     "glVertex4f",  "glNormal3f",   "glColor4f",        "glSecondaryColor3f",
-    "glFogCoordf", "glTexCoord4f", "glMultiTexCoord4f"};
+    "glFogCoordf", "glTexCoord4f", "glMultiTexCoord4f", "glEdgeFlag"};
 
 bool was_set(const VertexBatch& batch, int i)
 {

@@ -103,6 +103,8 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive)
     ShaderKey key;
     key.flat = state.lighting.shade_model == GL_FLAT;
     key.points = primitive == PrimitiveClass::points;
+    key.polygon_stipple =
+        primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         add_texture(state, unit, key);
     key.eye_space = key.generates(GL_SPHERE_MAP) || key.generates(GL_EYE_LINEAR);
@@ -120,6 +122,27 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive)
     }
     if (state.fragment.alpha_test)
         key.alpha_func = state.fragment.alpha_func;
+    return key;
+}
+
+ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,
+                          bool polygon_stipple)
+{
+    ShaderKey key;
+    key.shaded = true;
+    key.points = primitive == PrimitiveClass::points;
+    key.polygon_stipple = polygon_stipple;
+    key.coverage = coverage;
+    key.flat = shading.flat;
+    key.color_sum = shading.secondary();
+    key.fog_mode = shading.fog_mode;
+    key.fog_coordinate = shading.fog_mode != 0;
+    key.alpha_func = shading.alpha_func;
+    key.textures = shading.textures;
+    for (TextureKey& texture : key.textures) {
+        texture.matrix = false;
+        texture.generation = {};
+    }
     return key;
 }
 
@@ -166,8 +189,10 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
     const auto mix = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ull; };
     for (bool b :
          {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
-          key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points})
+          key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points,
+          key.polygon_stipple, key.shaded})
         mix(b);
+    mix(static_cast<std::uint64_t>(key.coverage));
     mix(key.follows_color);
     mix(key.light_count);
     for (int i = 0; i < key.light_count; ++i)

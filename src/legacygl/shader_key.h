@@ -48,6 +48,17 @@ struct TextureKey
     }
 };
 
+/// What makes a fragment of a line or point transparent at its edge (OpenGL 1.5, 3.3 and 3.4.4).
+enum class Coverage : std::uint8_t
+{
+    whole, ///< Nothing: aliased primitives, and polygons.
+    line,  ///< x, z: place across and along the line in pixels; y, w: half its width and length.
+    point, ///< x, y: place in a circle of radius 1; z: the square within which it is opaque.
+};
+
+/// The attribute that shaded vertices carry their point size (x) or coverage values in.
+constexpr Attribute SHADED_EXTRA = Attribute::normal;
+
 /// What of the state changes the text of the fixed-function shader; everything else is a uniform.
 struct ShaderKey
 {
@@ -71,12 +82,17 @@ struct ShaderKey
     GLenum alpha_func = GL_ALWAYS;
     bool flat = false;
     bool points = false;
+    bool polygon_stipple = false;
+    bool shaded = false; ///< Vertices come transformed and lit, see PrimitivePipeline.
+    Coverage coverage = Coverage::whole;
 
     bool operator==(const ShaderKey&) const = default;
     bool follows(int face, MaterialProperty property) const
     {
         return follows_color & (1u << (face * MATERIAL_PROPERTY_COUNT + static_cast<int>(property)));
     }
+    /// Whether the fragments read the uniform array `fragments`.
+    bool reads_fragments() const { return fog_mode || alpha_func != GL_ALWAYS || polygon_stipple; }
     bool secondary() const { return (lighting && separate_specular) || color_sum; }
     bool textured() const;
     bool generates(GLenum mode) const;
@@ -94,6 +110,10 @@ struct ShaderKeyHash
 
 /// Returns the key of the state, for primitives of one class.
 ShaderKey make_shader_key(const State& state, PrimitiveClass primitive);
+
+/// Returns the key for drawing what vertices shaded by a key became.
+ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,
+                          bool polygon_stipple);
 
 /// Which attributes the shader of the key reads, as bits of Attribute.
 std::uint32_t attributes_read(const ShaderKey& key);
@@ -136,7 +156,13 @@ constexpr int SIZE = TEXTURE_UNIT_COUNT * UNIT_SIZE;
 
 /// Where things lie in the uniform array `fragments`, in vec4s.
 namespace fragments_layout {
-constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2, SIZE = 3;
+constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2;
+/// Each row in two halves of 16 bits as numbers, the left one first; two rows in a vec4.
+constexpr int STIPPLE = 3, STIPPLE_SIZE = 16;
+constexpr int size(bool polygon_stipple)
+{
+    return polygon_stipple ? STIPPLE + STIPPLE_SIZE : STIPPLE;
 }
+} // namespace fragments_layout
 
 } // namespace legacygl

@@ -138,6 +138,8 @@ public:
     virtual void context_restored() = 0;
 
     LegacyGLCounters counters{};
+    /// The widest line that can be drawn; wider ones must come as triangles.
+    float maximum_line_width = 1;
     /// Counts the ES contexts lost so far; an object made in another generation is gone.
     std::uint32_t generation = 0;
 };

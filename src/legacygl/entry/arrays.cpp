@@ -28,7 +28,7 @@ ClientArray* find_array(Context& gl, GLenum name)
     case GL_TEXTURE_COORD_ARRAY:
         return &arrays.of(texture_coordinate(gl.state.texturing.client_active));
     case GL_EDGE_FLAG_ARRAY:
-        return &arrays.of(OtherArray::edge_flag);
+        return &arrays.of(Attribute::edge_flag);
     case GL_INDEX_ARRAY:
         return &arrays.of(OtherArray::index);
     default:

@@ -34,10 +34,9 @@ struct ClientArray
     std::shared_ptr<BufferObject> buffer;
 };
 
-/// Edge flags and indices have no place in a vertex; their arrays come after those of Attribute.
+/// Colour indices have no place in a vertex; their array comes after those of Attribute.
 enum class OtherArray : std::uint8_t
 {
-    edge_flag,
     index,
     count
 };
@@ -61,7 +60,7 @@ inline ClientArrays::ClientArrays()
     of(Attribute::normal).size = 3;
     of(Attribute::secondary_color).size = 3;
     of(Attribute::fog_coordinate).size = 1;
-    of(OtherArray::edge_flag) = {false, 1, GL_UNSIGNED_BYTE, 0, nullptr, 0, nullptr};
+    of(Attribute::edge_flag) = {false, 1, GL_UNSIGNED_BYTE, 0, nullptr, 0, nullptr};
     of(OtherArray::index).size = 1;
 }
 

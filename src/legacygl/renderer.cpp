@@ -1,5 +1,6 @@
 #include "legacygl/renderer.h"
 
+#include "legacygl/quad_cut.h"
 #include "legacygl/shader_text.h"
 #include "legacygl/shader_values.h"
 
@@ -41,12 +42,13 @@ Pipeline make_pipeline(const State& state)
     return p;
 }
 
-const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive)
+const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive, bool color_varies)
 {
     if (!changed_ && key_ && !key_->shaded && key_->points == (primitive == PrimitiveClass::points) &&
-        key_->polygon_stipple == stipples(state, primitive))
+        key_->polygon_stipple == stipples(state, primitive) &&
+        key_->flat == takes_one_color(state, color_varies))
         return *key_;
-    return use(make_shader_key(state, primitive));
+    return use(make_shader_key(state, primitive, color_varies));
 }
 
 const ShaderKey& Renderer::use(const ShaderKey& key)
@@ -61,8 +63,9 @@ const ShaderKey& Renderer::use(const ShaderKey& key)
 
 std::uint32_t Renderer::attributes_read(const State& state)
 {
-    const PrimitiveClass same = key_ && key_->points ? PrimitiveClass::points : PrimitiveClass::triangles;
-    const std::uint32_t read = legacygl::attributes_read(key_for(state, same));
+    const bool known = !changed_ && key_ && !key_->shaded;
+    const std::uint32_t read = legacygl::attributes_read(
+        known ? *key_ : make_shader_key(state, PrimitiveClass::triangles, true));
     return state.raster.unfilled() ? read | 1u << index_of(Attribute::edge_flag) : read;
 }
 
@@ -142,7 +145,8 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
 
 /// Calls draw for each stretch of runs that one program draws: points need their own, and so may polygons.
 template <class Draw>
-void Renderer::for_each_program(const State& state, std::span<const DrawRun> runs, Draw draw)
+void Renderer::for_each_program(const State& state, const VertexBatch& batch, std::span<const DrawRun> runs,
+                                Draw draw)
 {
     const auto kind = [&](const DrawRun& run) {
         return std::pair(run.primitive == PrimitiveClass::points, stipples(state, run.primitive));
@@ -152,7 +156,8 @@ void Renderer::for_each_program(const State& state, std::span<const DrawRun> run
             return kind(run) != kind(runs.front());
         });
         const auto count = static_cast<std::size_t>(end - runs.begin());
-        draw(prepare(state, key_for(state, runs.front().primitive)), runs.first(count));
+        draw(prepare(state, key_for(state, runs.front().primitive, batch.varies(Attribute::color))),
+             runs.first(count));
         runs = runs.subspan(count);
     }
 }
@@ -163,8 +168,11 @@ void Renderer::draw(const State& state, const VertexBatch& batch)
         return draw_shaded(state, batch, *work);
     runs_.clear();
     indices_.clear();
-    make_runs(batch.primitives, runs_, indices_);
-    for_each_program(state, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+    const bool flat = state.lighting.shade_model == GL_FLAT &&
+                      (state.lighting.enabled || batch.varies(Attribute::color));
+    QuadCut quad_cut(state, batch, flat);
+    make_runs(batch.primitives, runs_, indices_, &quad_cut);
+    for_each_program(state, batch, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
         backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
     });
 }
@@ -177,7 +185,7 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
                                                      geometry.indices));
-    for_each_program(state, geometry.runs, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+    for_each_program(state, geometry.batch, geometry.runs, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
         backend_.draw(draw_state, geometry.object.id(), runs);
     });
 }
@@ -206,7 +214,8 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work)
 {
-    const ShaderKey key = make_shader_key(state, PrimitiveClass::triangles);
+    const ShaderKey key =
+        make_shader_key(state, PrimitiveClass::triangles, batch.varies(Attribute::color));
     VertexShading shading(state, key);
     const std::vector<ShadedVertex> vertices = shading.shade(batch);
     RasterOutput output(key, shading.viewport());

@@ -46,7 +46,7 @@ private:
         std::uint64_t revision = 0;
     };
 
-    const ShaderKey& key_for(const State& state, PrimitiveClass primitive);
+    const ShaderKey& key_for(const State& state, PrimitiveClass primitive, bool color_varies);
     const ShaderKey& use(const ShaderKey& key);
     const DrawState& prepare(const State& state, const ShaderKey& key);
     std::optional<RasterWork> raster_work(const State& state, const VertexBatch& batch) const;
@@ -57,7 +57,8 @@ private:
     TextureId texture(Texture& texture);
     template <class Fill> void refill(UniformGroup group, int size, Fill fill);
     template <class Draw>
-    void for_each_program(const State& state, std::span<const DrawRun> runs, Draw draw);
+    void for_each_program(const State& state, const VertexBatch& batch, std::span<const DrawRun> runs,
+                          Draw draw);
 
     Backend& backend_;
     std::uint32_t changed_ = everything;

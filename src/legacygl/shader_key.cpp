@@ -98,10 +98,16 @@ bool ShaderKey::needs_normal() const
     return lighting || generates(GL_SPHERE_MAP);
 }
 
-ShaderKey make_shader_key(const State& state, PrimitiveClass primitive)
+bool takes_one_color(const State& state, bool color_varies)
+{
+    const LightingState& lighting = state.lighting;
+    return lighting.shade_model == GL_FLAT || (!lighting.enabled && !lighting.color_sum && !color_varies);
+}
+
+ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool color_varies)
 {
     ShaderKey key;
-    key.flat = state.lighting.shade_model == GL_FLAT;
+    key.flat = takes_one_color(state, color_varies);
     key.points = primitive == PrimitiveClass::points;
     key.polygon_stipple =
         primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;

@@ -80,7 +80,7 @@ struct ShaderKey
     GLenum fog_mode = 0;         ///< 0: no fog.
     bool fog_coordinate = false; ///< Fog by the vertex's fog coordinate, not its distance.
     GLenum alpha_func = GL_ALWAYS;
-    bool flat = false;
+    bool flat = false; ///< See takes_one_color().
     bool points = false;
     bool polygon_stipple = false;
     bool shaded = false; ///< Vertices come transformed and lit, see PrimitivePipeline.
@@ -108,8 +108,14 @@ struct ShaderKeyHash
     std::size_t operator()(const ShaderKey& key) const;
 };
 
-/// Returns the key of the state, for primitives of one class.
-ShaderKey make_shader_key(const State& state, PrimitiveClass primitive);
+/// Returns whether all fragments of a primitive take the colour of one vertex. Besides flat shading that is
+/// so where the vertices of each primitive have one colour: interpolating equal values may end a rounding
+/// beside them, and Mesa does not.
+bool takes_one_color(const State& state, bool color_varies);
+
+/// Returns the key of the state, for primitives of one class. color_varies: whether a primitive's vertices
+/// may have got colours of their own.
+ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool color_varies);
 
 /// Returns the key for drawing what vertices shaded by a key became.
 ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,

@@ -43,6 +43,7 @@ std::string snapped_point_text(const std::string& size, const std::string& viewp
 {
     return "    vec2 window = (gl_Position.xy / gl_Position.w * 0.5 + 0.5) * " + viewport +
            ".zw;\n"
+           "    window = floor(window * 256.0 + 0.5) / 256.0;\n"
            "    window = mod(" +
            size +
            ", 2.0) == 1.0 ? floor(window) + 0.5 : floor(window + 0.5);\n"

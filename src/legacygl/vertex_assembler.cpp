@@ -23,6 +23,8 @@ void VertexAssembler::begin(GLenum mode)
 {
     inside_ = true;
     began_here_ = true;
+    set_between_ = 0;
+    indexed_ = false;
     mode_ = mode;
     first_ = batch_.vertex_count;
 }
@@ -43,7 +45,7 @@ void VertexAssembler::end()
 
 void VertexAssembler::close_primitive(bool ends)
 {
-    batch_.primitives.push_back({mode_, first_, batch_.vertex_count - first_, began_here_, ends});
+    batch_.primitives.push_back({mode_, first_, batch_.vertex_count - first_, began_here_, ends, indexed_});
 }
 
 VertexBatch VertexAssembler::take()
@@ -64,7 +66,7 @@ void VertexAssembler::clear()
     batch_.format = VertexFormat{};
     batch_.primitives.clear();
     batch_.unset_before = {};
-    batch_.attributes_set = 0;
+    batch_.attributes_set = batch_.attributes_varying = 0;
     offsets_ = {};
     floats_ = 0;
     batch_.vertex_count = 0;

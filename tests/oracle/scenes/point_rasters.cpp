@@ -39,6 +39,7 @@ SCENE(smooth_points)
     glEnable(GL_POINT_SMOOTH);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glTranslatef(0.013f, 0.017f, 0); // No pixel's centre lies exactly on a circle.
     row_of_points(1, 0.5f, 0.5f);
     row_of_points(4, 1.3f, 0.9f);
     row_of_points(8, 4, 1.7f);

@@ -76,6 +76,8 @@ glm::vec4 read_element(const ClientArray& array, Attribute attribute, GLint i)
                           attribute == Attribute::secondary_color;
     for (int c = 0; c < array.size; ++c)
         value[c] = read_component(array.type, p + c * component_size, fraction);
+    if (attribute == Attribute::edge_flag)
+        value.x = value.x != 0 ? 1.0f : 0.0f;
     return value;
 }
 

@@ -26,9 +26,16 @@ template <class Visit> void visit_capabilities(State& s, Visit&& visit)
     visit(GL_COLOR_MATERIAL, GL_LIGHTING_BIT, Renderer::lighting, s.lighting.color_material);
     visit(GL_NORMALIZE, GL_TRANSFORM_BIT, Renderer::lighting, s.transform.normalize);
     visit(GL_RESCALE_NORMAL, GL_TRANSFORM_BIT, Renderer::lighting, s.transform.rescale_normal);
+    for (int i = 0; i < CLIP_PLANE_COUNT; ++i)
+        visit(GL_CLIP_PLANE0 + i, GL_TRANSFORM_BIT, Renderer::pipeline, s.transform.clip_planes[i].enabled);
     visit(GL_FOG, GL_FOG_BIT, Renderer::fragments, s.fog.enabled);
     visit(GL_COLOR_SUM, GL_FOG_BIT, Renderer::lighting, s.lighting.color_sum);
     visit(GL_CULL_FACE, GL_POLYGON_BIT, Renderer::pipeline, s.raster.cull_face);
+    visit(GL_POLYGON_SMOOTH, GL_POLYGON_BIT, Renderer::pipeline, s.raster.polygon_smooth);
+    visit(GL_POLYGON_STIPPLE, GL_POLYGON_BIT, Renderer::fragments, s.raster.polygon_stipple.enabled);
+    visit(GL_LINE_SMOOTH, GL_LINE_BIT, Renderer::pipeline, s.raster.line_smooth);
+    visit(GL_LINE_STIPPLE, GL_LINE_BIT, Renderer::pipeline, s.raster.line_stipple.enabled);
+    visit(GL_POINT_SMOOTH, GL_POINT_BIT, Renderer::pipeline, s.raster.point_smooth);
     visit(GL_POLYGON_OFFSET_FILL, GL_POLYGON_BIT, Renderer::pipeline, s.raster.polygon_offset_fill);
     visit(GL_POLYGON_OFFSET_LINE, GL_POLYGON_BIT, Renderer::pipeline, s.raster.polygon_offset_line);
     visit(GL_POLYGON_OFFSET_POINT, GL_POLYGON_BIT, Renderer::pipeline, s.raster.polygon_offset_point);
@@ -37,6 +44,8 @@ template <class Visit> void visit_capabilities(State& s, Visit&& visit)
     visit(GL_SCISSOR_TEST, GL_SCISSOR_BIT, Renderer::pipeline, s.fragment.scissor_test);
     visit(GL_ALPHA_TEST, GL_COLOR_BUFFER_BIT, Renderer::fragments, s.fragment.alpha_test);
     visit(GL_BLEND, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.blend.enabled);
+    visit(GL_COLOR_LOGIC_OP, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.color_logic_op);
+    visit(GL_INDEX_LOGIC_OP, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.index_logic_op);
     visit(GL_DITHER, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.dither);
     // A target has one sample a pixel: these are kept and change nothing.
     visit(GL_MULTISAMPLE, GL_MULTISAMPLE_BIT, 0u, s.multisample.enabled);

@@ -15,6 +15,8 @@ void Context::begin(GLenum mode)
         return set_error(GL_INVALID_OPERATION);
     if (mode > GL_POLYGON)
         return set_error(GL_INVALID_ENUM);
+    if (immediate.set_between(Attribute::color) && !state.lighting.enabled)
+        begin_varying_colors();
     if (!immediate.has_vertices())
         immediate.set_wanted(renderer.attributes_read(state));
     immediate.begin(mode);
@@ -25,6 +27,14 @@ void Context::end()
     if (!immediate.inside())
         return set_error(GL_INVALID_OPERATION);
     immediate.end();
+}
+
+void Context::begin_varying_colors()
+{
+    if (immediate.batch().varies(Attribute::color))
+        return;
+    draw_vertices();
+    immediate.set_varying(Attribute::color);
 }
 
 void Context::draw_vertices()

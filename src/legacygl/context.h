@@ -73,6 +73,9 @@ struct Context
     void store_followed_color();
 
 private:
+    /// Draws what waits with the colour it has: from here on each primitive has its own, which fragments
+    /// then interpolate, see takes_one_color().
+    void begin_varying_colors();
     void draw_vertices();
 };
 

@@ -20,7 +20,8 @@ constexpr std::array<NotedCall, ATTRIBUTE_COUNT> NOTED_CALLS = {{{"glVertex4f", 
                                                                  {"glSecondaryColor3f", 3},
                                                                  {"glFogCoordf", 1},
                                                                  {"glTexCoord4f", 4},
-                                                                 {"glMultiTexCoord4f", 4}}};
+                                                                 {"glMultiTexCoord4f", 4},
+                                                                 {"glEdgeFlag", 1}}};
 
 bool was_set(const VertexBatch& batch, int i)
 {

@@ -1,5 +1,7 @@
 #include "legacygl/primitives.h"
 
+#include "legacygl/quad_cut.h"
+
 namespace legacygl {
 namespace {
 
@@ -34,7 +36,8 @@ PrimitiveClass class_of(GLenum mode)
     }
 }
 
-void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::vector<std::uint32_t>& out)
+void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::vector<std::uint32_t>& out,
+                    bool quads_from_first)
 {
     const auto line = [&](std::uint32_t a, std::uint32_t b) {
         out.insert(out.end(), {first + a, first + b});
@@ -72,8 +75,8 @@ void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::
         break;
     case GL_QUADS:
         for (std::uint32_t i = 0; i + 3 < count; i += 4) {
-            triangle(i, i + 1, i + 3);
-            triangle(i + 1, i + 2, i + 3);
+            triangle(i, i + 1, quads_from_first ? i + 2 : i + 3);
+            triangle(quads_from_first ? i : i + 1, i + 2, i + 3);
         }
         break;
     case GL_QUAD_STRIP:
@@ -92,9 +95,10 @@ void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::
 }
 
 void make_runs(std::span<const Primitive> primitives, std::vector<DrawRun>& runs,
-               std::vector<std::uint32_t>& indices)
+               std::vector<std::uint32_t>& indices, QuadCut* quad_cut)
 {
-    for (const Primitive& primitive : primitives) {
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+        const Primitive& primitive = primitives[p];
         const PrimitiveClass cls = class_of(primitive.mode);
         const std::uint32_t size = separate_size(primitive.mode);
         DrawRun* last = runs.empty() ? nullptr : &runs.back();
@@ -119,7 +123,8 @@ void make_runs(std::span<const Primitive> primitives, std::vector<DrawRun>& runs
                 indices.push_back(last->first + i);
             *last = {cls, true, begin, last->count};
         }
-        append_indices(primitive.mode, primitive.first, primitive.count, indices);
+        const bool from_first = primitive.mode == GL_QUADS && quad_cut && quad_cut->from_first(p);
+        append_indices(primitive.mode, primitive.first, primitive.count, indices, from_first);
         const auto added = static_cast<std::uint32_t>(indices.size()) - begin;
         if (added == 0)
             continue;

@@ -10,6 +10,8 @@
 
 namespace legacygl {
 
+class QuadCut;
+
 /// What ES can draw of OpenGL's ten primitives.
 enum class PrimitiveClass : std::uint8_t
 {
@@ -25,8 +27,10 @@ PrimitiveClass class_of(GLenum mode);
 ///
 /// The last index of each is the provoking vertex that OpenGL 1.5, table 2.12, names (the first vertex of
 /// a polygon, the last of all others), since ES takes a flat colour from the last. Quads are cut along
-/// the diagonal that Mesa uses in display lists.
-void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::vector<std::uint32_t>& out);
+/// the diagonal that Mesa uses in display lists, or from their first corner, see QuadCut; the provoking
+/// vertex then is that of the second triangle only.
+void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::vector<std::uint32_t>& out,
+                    bool quads_from_first = false);
 
 /// A stretch of a batch that one draw call can draw.
 struct DrawRun
@@ -38,8 +42,9 @@ struct DrawRun
 };
 
 /// Cuts primitives into as few runs as keep their order. Indices are appended where they are needed:
-/// whole points, lines and triangles that follow each other are drawn without.
+/// whole points, lines and triangles that follow each other are drawn without. quad_cut: null where quads
+/// are cut as in lists.
 void make_runs(std::span<const Primitive> primitives, std::vector<DrawRun>& runs,
-               std::vector<std::uint32_t>& indices);
+               std::vector<std::uint32_t>& indices, QuadCut* quad_cut = nullptr);
 
 } // namespace legacygl

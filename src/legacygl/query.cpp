@@ -186,6 +186,9 @@ QueryValue::QueryValue(const StateField& field) : count(field.count)
     case StateField::Kind::unsigned_integer:
         take(GLuint{}, Kind::integer);
         break;
+    case StateField::Kind::unsigned_short:
+        take(GLushort{}, Kind::integer);
+        break;
     case StateField::Kind::real:
         take(GLfloat{}, Kind::real);
         break;

@@ -1,9 +1,12 @@
 #include "legacygl/renderer.h"
 
+#include "legacygl/quad_cut.h"
 #include "legacygl/shader_text.h"
 #include "legacygl/shader_values.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace legacygl {
 namespace {
@@ -12,6 +15,12 @@ bool has_derived_levels(const Texture& texture)
 {
     return std::any_of(texture.levels.begin(), texture.levels.end(),
                        [](const TextureImage& image) { return image.derived; });
+}
+
+/// Returns whether primitives of the class are polygons covered by a stipple.
+bool stipples(const State& state, PrimitiveClass primitive)
+{
+    return primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;
 }
 
 } // namespace
@@ -39,14 +48,19 @@ Pipeline make_pipeline(const State& state)
     return p;
 }
 
-const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive)
+const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive, bool color_varies)
 {
-    const bool points = primitive == PrimitiveClass::points;
-    if (!(changed_ & ~matrices) && key_ && key_->points == points &&
-        (!changed_ || matrix_key(state) == matrix_key_))
+    const bool same_kind = key_ && !key_->shaded && key_->points == (primitive == PrimitiveClass::points) &&
+                           key_->polygon_stipple == stipples(state, primitive) &&
+                           key_->flat == takes_one_color(state, color_varies);
+    if (same_kind && !(changed_ & ~matrices) && (!changed_ || matrix_key(state) == matrix_key_))
         return *key_;
     matrix_key_ = matrix_key(state);
-    const ShaderKey key = make_shader_key(state, primitive);
+    return use(make_shader_key(state, primitive, color_varies));
+}
+
+const ShaderKey& Renderer::use(const ShaderKey& key)
+{
     if (!key_ || !(key == *key_)) {
         key_ = key;
         changed_ |= everything; // The uniform arrays are laid out anew.
@@ -57,8 +71,10 @@ const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive)
 
 std::uint32_t Renderer::attributes_read(const State& state)
 {
-    const PrimitiveClass same = key_ && key_->points ? PrimitiveClass::points : PrimitiveClass::triangles;
-    return legacygl::attributes_read(key_for(state, same));
+    const bool known = !changed_ && key_ && !key_->shaded;
+    const std::uint32_t read = legacygl::attributes_read(
+        known ? *key_ : make_shader_key(state, PrimitiveClass::triangles, true));
+    return state.raster.unfilled() ? read | 1u << index_of(Attribute::edge_flag) : read;
 }
 
 ProgramId Renderer::program(const ShaderKey& key)
@@ -109,9 +125,8 @@ template <class Fill> void Renderer::refill(UniformGroup which, int size, Fill f
     draw_state_.uniforms[static_cast<int>(which)] = {group.values, group.revision};
 }
 
-const DrawState& Renderer::prepare(const State& state, PrimitiveClass primitive)
+const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
 {
-    const ShaderKey& key = key_for(state, primitive);
     if (!changed_) {
         draw_state_.constants = &state.current;
         return draw_state_;
@@ -123,12 +138,12 @@ const DrawState& Renderer::prepare(const State& state, PrimitiveClass primitive)
                [&](std::span<glm::vec4> out) { fill_transform(state, key, out); });
     if (key.lighting && (changed_ & lighting))
         refill(UniformGroup::lighting, lighting_layout::size(key.light_count),
-               [&](std::span<glm::vec4> out) { fill_lighting(state, key, out); });
+               [&](std::span<glm::vec4> out) { fill_lighting(state.lighting, key, out); });
     if (key.textured() && (changed_ & (texturing | matrices)))
         refill(UniformGroup::texturing, texturing_layout::SIZE,
                [&](std::span<glm::vec4> out) { fill_texturing(state, out); });
-    if ((key.fog_mode || key.alpha_func != GL_ALWAYS) && (changed_ & fragments))
-        refill(UniformGroup::fragments, fragments_layout::SIZE,
+    if (key.reads_fragments() && (changed_ & fragments))
+        refill(UniformGroup::fragments, fragments_layout::size(key.polygon_stipple),
                [&](std::span<glm::vec4> out) { fill_fragments(state, out); });
     if (changed_ & texturing)
         for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
@@ -142,40 +157,109 @@ const DrawState& Renderer::prepare(const State& state, PrimitiveClass primitive)
     return draw_state_;
 }
 
-/// Calls draw for each stretch of runs of one class: points need a program of their own.
-template <class Draw> void Renderer::for_each_class(std::span<const DrawRun> runs, Draw draw)
+/// Calls draw for each stretch of runs that one program draws: points need their own, and so may polygons.
+template <class Draw>
+void Renderer::for_each_program(const State& state, const VertexBatch& batch, std::span<const DrawRun> runs,
+                                Draw draw)
 {
+    const auto kind = [&](const DrawRun& run) {
+        return std::pair(run.primitive == PrimitiveClass::points, stipples(state, run.primitive));
+    };
     while (!runs.empty()) {
-        const bool points = runs.front().primitive == PrimitiveClass::points;
-        const auto end = std::find_if(runs.begin(), runs.end(), [points](const DrawRun& run) {
-            return (run.primitive == PrimitiveClass::points) != points;
+        const auto end = std::find_if(runs.begin(), runs.end(), [&](const DrawRun& run) {
+            return kind(run) != kind(runs.front());
         });
         const auto count = static_cast<std::size_t>(end - runs.begin());
-        draw(runs.first(count));
+        draw(prepare(state, key_for(state, runs.front().primitive, batch.varies(Attribute::color))),
+             runs.first(count));
         runs = runs.subspan(count);
     }
 }
 
 void Renderer::draw(const State& state, const VertexBatch& batch)
 {
+    if (const std::optional<RasterWork> work = raster_work(state, batch))
+        return draw_shaded(state, batch, *work);
     runs_.clear();
     indices_.clear();
-    make_runs(batch.primitives, runs_, indices_);
-    for_each_class(runs_, [&](std::span<const DrawRun> runs) {
-        backend_.draw_stream(prepare(state, runs.front().primitive), batch.format, batch.used_vertices(),
-                             indices_, runs);
+    const bool flat = state.lighting.shade_model == GL_FLAT &&
+                      (state.lighting.enabled || batch.varies(Attribute::color));
+    QuadCut quad_cut(state, batch, flat);
+    make_runs(batch.primitives, runs_, indices_, &quad_cut);
+    for_each_program(state, batch, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+        backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
     });
 }
 
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
+    if (const std::optional<RasterWork> work = raster_work(state, geometry.batch))
+        return draw_shaded(state, geometry.batch, *work);
     if (!geometry.object.valid())
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
                                                      geometry.indices));
-    for_each_class(geometry.runs, [&](std::span<const DrawRun> runs) {
-        backend_.draw(prepare(state, runs.front().primitive), geometry.object.id(), runs);
+    for_each_program(state, geometry.batch, geometry.runs, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+        backend_.draw(draw_state, geometry.object.id(), runs);
     });
+}
+
+/// Returns what ES cannot do itself for some of the primitives; nothing when it can do all.
+std::optional<RasterWork> Renderer::raster_work(const State& state, const VertexBatch& batch) const
+{
+    const RasterState& raster = state.raster;
+    const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
+    const RasterWork work{raster.unfilled(), wide, raster.line_smooth, raster.point_smooth};
+    const bool all = state.transform.clips() || (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
+                                                 state.lighting.shade_model == GL_FLAT);
+    const auto needs_work = [&](const Primitive& primitive) {
+        switch (class_of(primitive.mode)) {
+        case PrimitiveClass::points:
+            return all || work.smooth_points || raster.point_parameters.attenuates();
+        case PrimitiveClass::lines:
+            return all || work.smooth_lines || work.line_quads || raster.line_stipple.stipples();
+        default:
+            return all || work.unfilled;
+        }
+    };
+    return std::any_of(batch.primitives.begin(), batch.primitives.end(), needs_work) ? std::optional(work)
+                                                                                   : std::nullopt;
+}
+
+void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work)
+{
+    const ShaderKey key =
+        make_shader_key(state, PrimitiveClass::triangles, batch.varies(Attribute::color));
+    VertexShading shading(state, key);
+    const std::vector<ShadedVertex> vertices = shading.shade(batch);
+    RasterOutput output(key, shading.viewport());
+    PrimitivePipeline stages(state, key, work, shading, stipple_counter_, output);
+    for (const Primitive& primitive : batch.primitives)
+        stages.draw(primitive.mode, std::span(vertices).subspan(primitive.first, primitive.count));
+    draw_shaded(state, key, work, output);
+}
+
+void Renderer::draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
+                           const RasterOutput& output)
+{
+    const auto floats = static_cast<std::size_t>(output.format().floats());
+    for (const ShadedDraw& draw : output.draws()) {
+        prepare(state, use(make_shaded_key(shading, draw.primitive, draw.coverage,
+                                           draw.polygons && state.raster.polygon_stipple.enabled)));
+        Pipeline& fixed = draw_state_.pipeline;
+        fixed = make_pipeline(state);
+        if (work.unfilled || !draw.polygons)
+            fixed.cull_face = fixed.polygon_offset = false;
+        for (std::size_t i = 0; draw.grown && i < 2; ++i) {
+            fixed.viewport[i] -= RasterOutput::VIEWPORT_MARGIN;
+            fixed.viewport[i + 2] += 2 * RasterOutput::VIEWPORT_MARGIN;
+        }
+        const DrawRun run{draw.primitive, false, 0, draw.count};
+        backend_.draw_stream(draw_state_, output.format(),
+                             std::span(output.vertices()).subspan(draw.first * floats, draw.count * floats), {},
+                             {&run, 1});
+        changed_ |= pipeline; // The next draw wants its own.
+    }
 }
 
 void Renderer::clear(const State& state, GLbitfield buffers)

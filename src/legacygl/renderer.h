@@ -2,6 +2,7 @@
 
 #include "legacygl/backend/backend.h"
 #include "legacygl/list_geometry.h"
+#include "legacygl/raster/primitive_pipeline.h"
 #include "legacygl/shader_key.h"
 #include "legacygl/state/state.h"
 
@@ -45,12 +46,19 @@ private:
         std::uint64_t revision = 0;
     };
 
-    const ShaderKey& key_for(const State& state, PrimitiveClass primitive);
-    const DrawState& prepare(const State& state, PrimitiveClass primitive);
+    const ShaderKey& key_for(const State& state, PrimitiveClass primitive, bool color_varies);
+    const ShaderKey& use(const ShaderKey& key);
+    const DrawState& prepare(const State& state, const ShaderKey& key);
+    std::optional<RasterWork> raster_work(const State& state, const VertexBatch& batch) const;
+    void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work);
+    void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
+                     const RasterOutput& output);
     ProgramId program(const ShaderKey& key);
     TextureId texture(Texture& texture);
     template <class Fill> void refill(UniformGroup group, int size, Fill fill);
-    template <class Draw> void for_each_class(std::span<const DrawRun> runs, Draw draw);
+    template <class Draw>
+    void for_each_program(const State& state, const VertexBatch& batch, std::span<const DrawRun> runs,
+                          Draw draw);
 
     Backend& backend_;
     std::uint32_t changed_ = everything;
@@ -59,6 +67,7 @@ private:
     std::unordered_map<ShaderKey, ProgramId, ShaderKeyHash> programs_;
     std::array<Group, UNIFORM_GROUP_COUNT> groups_;
     DrawState draw_state_;
+    std::uint32_t stipple_counter_ = 0;
     std::vector<DrawRun> runs_;          ///< Scratch, kept so that a steady frame allocates nothing.
     std::vector<std::uint32_t> indices_; ///< Scratch.
 };

@@ -117,11 +117,19 @@ bool ShaderKey::needs_normal() const
     return lighting || generates(GL_SPHERE_MAP);
 }
 
-ShaderKey make_shader_key(const State& state, PrimitiveClass primitive)
+bool takes_one_color(const State& state, bool color_varies)
+{
+    const LightingState& lighting = state.lighting;
+    return lighting.shade_model == GL_FLAT || (!lighting.enabled && !lighting.color_sum && !color_varies);
+}
+
+ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool color_varies)
 {
     ShaderKey key;
-    key.flat = state.lighting.shade_model == GL_FLAT;
+    key.flat = takes_one_color(state, color_varies);
     key.points = primitive == PrimitiveClass::points;
+    key.polygon_stipple =
+        primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         add_texture(state, unit, key);
     key.eye_space = key.generates(GL_SPHERE_MAP) || key.generates(GL_EYE_LINEAR);
@@ -147,6 +155,27 @@ std::uint32_t matrix_key(const State& state)
     std::uint32_t key = state.lighting.enabled && state.transform.modelview.top().preserves_length();
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         key = key << 1 | std::uint32_t{is_identity(state.transform.texture[unit].top())};
+    return key;
+}
+
+ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,
+                          bool polygon_stipple)
+{
+    ShaderKey key;
+    key.shaded = true;
+    key.points = primitive == PrimitiveClass::points;
+    key.polygon_stipple = polygon_stipple;
+    key.coverage = coverage;
+    key.flat = shading.flat;
+    key.color_sum = shading.secondary();
+    key.fog_mode = shading.fog_mode;
+    key.fog_coordinate = shading.fog_mode != 0;
+    key.alpha_func = shading.alpha_func;
+    key.textures = shading.textures;
+    for (TextureKey& texture : key.textures) {
+        texture.matrix = false;
+        texture.generation = {};
+    }
     return key;
 }
 
@@ -193,8 +222,10 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
     const auto mix = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ull; };
     for (bool b :
          {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
-          key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points})
+          key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points,
+          key.polygon_stipple, key.shaded})
         mix(b);
+    mix(static_cast<std::uint64_t>(key.coverage));
     mix(key.follows_color);
     mix(key.light_count);
     for (int i = 0; i < key.light_count; ++i)

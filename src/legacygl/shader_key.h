@@ -54,6 +54,17 @@ struct TextureKey
     }
 };
 
+/// What makes a fragment of a line or point transparent at its edge (OpenGL 1.5, 3.3 and 3.4.4).
+enum class Coverage : std::uint8_t
+{
+    whole, ///< Nothing: aliased primitives, and polygons.
+    line,  ///< x, z: place across and along the line in pixels; y, w: half its width and length.
+    point, ///< x, y: place in a circle of radius 1; z: the square within which it is opaque.
+};
+
+/// The attribute that shaded vertices carry their point size (x) or coverage values in.
+constexpr Attribute SHADED_EXTRA = Attribute::normal;
+
 /// What of the state changes the text of the fixed-function shader; everything else is a uniform.
 struct ShaderKey
 {
@@ -75,14 +86,19 @@ struct ShaderKey
     GLenum fog_mode = 0;         ///< 0: no fog.
     bool fog_coordinate = false; ///< Fog by the vertex's fog coordinate, not its distance.
     GLenum alpha_func = GL_ALWAYS;
-    bool flat = false;
+    bool flat = false; ///< See takes_one_color().
     bool points = false;
+    bool polygon_stipple = false;
+    bool shaded = false; ///< Vertices come transformed and lit, see PrimitivePipeline.
+    Coverage coverage = Coverage::whole;
 
     bool operator==(const ShaderKey&) const = default;
     bool follows(int face, MaterialProperty property) const
     {
         return follows_color & (1u << (face * MATERIAL_PROPERTY_COUNT + static_cast<int>(property)));
     }
+    /// Whether the fragments read the uniform array `fragments`.
+    bool reads_fragments() const { return fog_mode || alpha_func != GL_ALWAYS || polygon_stipple; }
     bool secondary() const { return (lighting && separate_specular) || color_sum; }
     bool textured() const;
     bool generates(GLenum mode) const;
@@ -98,8 +114,18 @@ struct ShaderKeyHash
     std::size_t operator()(const ShaderKey& key) const;
 };
 
-/// Returns the key of the state, for primitives of one class.
-ShaderKey make_shader_key(const State& state, PrimitiveClass primitive);
+/// Returns whether all fragments of a primitive take the colour of one vertex. Besides flat shading that is
+/// so where the vertices of each primitive have one colour: interpolating equal values may end a rounding
+/// beside them, and Mesa does not.
+bool takes_one_color(const State& state, bool color_varies);
+
+/// Returns the key of the state, for primitives of one class. color_varies: whether a primitive's vertices
+/// may have got colours of their own.
+ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool color_varies);
+
+/// Returns the key for drawing what vertices shaded by a key became.
+ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,
+                          bool polygon_stipple);
 
 /// Returns what the matrices give to the key of the state: while this and all other state stays, so does the
 /// key.
@@ -147,7 +173,13 @@ constexpr int SIZE = TEXTURE_UNIT_COUNT * UNIT_SIZE;
 
 /// Where things lie in the uniform array `fragments`, in vec4s.
 namespace fragments_layout {
-constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2, SIZE = 3;
+constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2;
+/// Each row in two halves of 16 bits as numbers, the left one first; two rows in a vec4.
+constexpr int STIPPLE = 3, STIPPLE_SIZE = 16;
+constexpr int size(bool polygon_stipple)
+{
+    return polygon_stipple ? STIPPLE + STIPPLE_SIZE : STIPPLE;
 }
+} // namespace fragments_layout
 
 } // namespace legacygl

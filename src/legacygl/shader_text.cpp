@@ -27,6 +27,8 @@ std::string varyings(const ShaderKey& key, const char* direction)
             text += std::string(direction) + " vec4 texture_position_" + std::to_string(unit) + ";\n";
     if (key.fog_mode)
         text += std::string(direction) + " float fog_distance;\n";
+    if (key.coverage != Coverage::whole)
+        text += std::string(direction) + " vec4 coverage;\n";
     return text;
 }
 
@@ -35,27 +37,34 @@ std::string uniforms(const char* name, int size)
     return std::string("uniform vec4 ") + name + "[" + std::to_string(size) + "];\n";
 }
 
-/// Puts a point's centre where OpenGL 1.5, 3.3.1, rounds it to, and drops it when that lies outside the
-/// clip volume: ES rasterises sprites, whose centres are not rounded.
-std::string point_text(const TransformLayout& layout)
+/// Puts a point's centre where OpenGL 1.5, 3.3.1, rounds it to: ES rasterises sprites, whose centres are not
+/// rounded. size and viewport are names of a float and a vec4.
+std::string snapped_point_text(const std::string& size, const std::string& viewport)
 {
-    const std::string viewport = at("transform", layout.point),
-                      size = at("transform", layout.point + 1) + ".x";
-    return "    gl_PointSize = " + size + ";\n" +
+    return "    vec2 window = (gl_Position.xy / gl_Position.w * 0.5 + 0.5) * " + viewport +
+           ".zw;\n"
+           "    window = floor(window * 256.0 + 0.5) / 256.0;\n"
+           "    window = mod(" +
+           size +
+           ", 2.0) == 1.0 ? floor(window) + 0.5 : floor(window + 0.5);\n"
+           "    gl_Position.xy = (window / " +
+           viewport + ".zw * 2.0 - 1.0) * gl_Position.w;\n";
+}
+
+/// Points whose centre lies outside of the clip volume are dropped; those that come shaded are not any more.
+std::string point_text(const ShaderKey& key, const TransformLayout& layout)
+{
+    const std::string viewport = at("transform", layout.point);
+    const std::string size = key.shaded ? "extra.x" : at("transform", layout.point + 1) + ".x";
+    const std::string set_size = "    gl_PointSize = " + size + ";\n";
+    if (key.shaded)
+        return set_size + snapped_point_text(size, viewport);
+    return set_size +
            "    vec3 limit = abs(gl_Position.xyz);\n"
            "    if (max(limit.x, max(limit.y, limit.z)) > gl_Position.w) {\n"
            "        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);\n"
-           "    } else {\n"
-           "        vec2 window = (gl_Position.xy / gl_Position.w * 0.5 + 0.5) * " +
-           viewport +
-           ".zw;\n"
-           "        window = mod(" +
-           size +
-           ", 2.0) == 1.0 ? floor(window) + 0.5 : floor(window + 0.5);\n"
-           "        gl_Position.xy = (window / " +
-           viewport +
-           ".zw * 2.0 - 1.0) * gl_Position.w;\n"
-           "    }\n";
+           "    } else {\n" +
+           snapped_point_text(size, viewport) + "    }\n";
 }
 
 /// Sphere mapping (OpenGL 1.5, 2.11.4): the direction of the reflection, seen in a sphere.
@@ -79,7 +88,9 @@ std::string vertex_text(const ShaderKey& key)
                        "precision highp float;\n"
                        "invariant gl_Position;\n"
                        "layout(location = 0) in vec4 position;\n"
-                       "layout(location = 1) in vec3 normal;\n"
+                       "layout(location = 1) in " +
+                       std::string(key.shaded ? "vec4 extra" : "vec3 normal") +
+                       ";\n"
                        "layout(location = 2) in vec4 color;\n"
                        "layout(location = 3) in vec4 secondary_color;\n"
                        "layout(location = 4) in float fog_coordinate;\n"
@@ -92,8 +103,9 @@ std::string vertex_text(const ShaderKey& key)
         text += uniforms("texturing", texturing_layout::SIZE);
     text += varyings(key, "out");
     text += "void main()\n{\n";
-    text +=
-        "    gl_Position = " + columns_times("transform", layout.projection_modelview, "position") + ";\n";
+    text += "    gl_Position = " +
+            (key.shaded ? "position" : columns_times("transform", layout.projection_modelview, "position")) +
+            ";\n";
     if (key.needs_eye_position())
         text += "    vec4 eye = " + columns_times("transform", layout.modelview, "position") + ";\n";
     if (key.needs_normal())
@@ -118,8 +130,10 @@ std::string vertex_text(const ShaderKey& key)
     if (key.fog_mode)
         text +=
             key.fog_coordinate ? "    fog_distance = fog_coordinate;\n" : "    fog_distance = abs(eye.z);\n";
+    if (key.coverage != Coverage::whole)
+        text += "    coverage = extra;\n";
     if (key.points)
-        text += point_text(layout);
+        text += point_text(key, layout);
     return text + "}\n";
 }
 
@@ -150,6 +164,32 @@ std::string alpha_text(GLenum func)
            at("fragments", fragments_layout::ALPHA_REFERENCE) + ".x))\n        discard;\n";
 }
 
+/// Polygon stipple (OpenGL 1.5, 3.5.2).
+std::string polygon_stipple_text()
+{
+    return "    ivec2 bit = ivec2(gl_FragCoord.xy) & 31;\n"
+           "    vec4 rows = fragments[" +
+           std::to_string(fragments_layout::STIPPLE) +
+           " + (bit.y >> 1)];\n"
+           "    vec2 row = (bit.y & 1) == 0 ? rows.xy : rows.zw;\n"
+           "    int part = int(bit.x < 16 ? row.x : row.y);\n"
+           "    if (((part >> (15 - (bit.x & 15))) & 1) == 0)\n        discard;\n";
+}
+
+/// Makes the edge of a smooth line or point transparent, as the corners of add_smooth_line() and
+/// add_smooth_point() want it.
+std::string coverage_text(Coverage coverage)
+{
+    if (coverage == Coverage::line)
+        return "    c.a = c.a * (clamp(coverage.y - abs(coverage.x), 0.0, 1.0) *\n"
+               "                 clamp(coverage.w - abs(coverage.z), 0.0, 1.0));\n";
+    return "    float squared = coverage.x * coverage.x + coverage.y * coverage.y;\n"
+           "    if (coverage.w < squared)\n        discard;\n"
+           "    c.a = c.a * (coverage.z >= squared ? (1.0 / (coverage.w - coverage.z)) * (coverage.w - "
+           "squared)\n"
+           "                                       : coverage.w);\n";
+}
+
 std::string fragment_text(const ShaderKey& key)
 {
     const bool two_side = key.lighting && key.two_side;
@@ -162,8 +202,10 @@ std::string fragment_text(const ShaderKey& key)
             text += "uniform sampler2D texture_" + std::to_string(unit) + ";\n";
     if (key.textured())
         text += uniforms("texturing", texturing_layout::SIZE);
-    text += uniforms("fragments", fragments_layout::SIZE);
+    text += uniforms("fragments", fragments_layout::size(key.polygon_stipple));
     text += "out vec4 fragment_color;\nvoid main()\n{\n";
+    if (key.polygon_stipple)
+        text += polygon_stipple_text();
     text += two_side ? "    vec4 c = gl_FrontFacing ? front_color : back_color;\n"
                      : "    vec4 c = front_color;\n";
     if (key.textured())
@@ -173,6 +215,8 @@ std::string fragment_text(const ShaderKey& key)
                          : "    c.rgb += front_secondary.rgb;\n";
     if (key.fog_mode)
         text += fog_text(key);
+    if (key.coverage != Coverage::whole)
+        text += coverage_text(key.coverage);
     if (key.alpha_func != GL_ALWAYS)
         text += alpha_text(key.alpha_func);
     return text + "    fragment_color = c;\n}\n";

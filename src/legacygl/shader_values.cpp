@@ -63,6 +63,13 @@ InfiniteLight infinite_light(glm::vec3 position, glm::vec3 towards_viewer)
 
 } // namespace
 
+float rasterised_point_size(float size)
+{
+    // In steps of 1/256, halves down: what Mesa's renderer does with the points of OpenGL 1.
+    const float steps = std::floor(size * 256.0f + 0.5f);
+    return std::max(1.0f, std::floor((steps + 127.0f) / 256.0f));
+}
+
 void fill_transform(const State& state, const ShaderKey& key, std::span<glm::vec4> out)
 {
     const TransformLayout layout(key);
@@ -95,15 +102,14 @@ void fill_transform(const State& state, const ShaderKey& key, std::span<glm::vec
         const std::array<GLint, 4>& viewport = state.transform.viewport;
         for (int i = 0; i < 4; ++i)
             out[layout.point][i] = static_cast<float>(viewport[i]);
-        out[layout.point + 1] = glm::vec4(std::max(1.0f, std::floor(state.raster.point_size + 0.5f)));
+        out[layout.point + 1] = glm::vec4(rasterised_point_size(state.raster.clamped_point_size()));
     }
 }
 
-void fill_lighting(const State& state, const ShaderKey& key, std::span<glm::vec4> out)
+void fill_lighting(const LightingState& lighting, const ShaderKey& key, std::span<glm::vec4> out)
 {
     using namespace lighting_layout;
     using enum MaterialProperty;
-    const LightingState& lighting = state.lighting;
     for (int face = 0; face < 2; ++face) {
         const Material& material = lighting.materials[face];
         glm::vec4* values = &out[FACE + face * FACE_SIZE];
@@ -174,6 +180,15 @@ void fill_fragments(const State& state, std::span<glm::vec4> out)
     out[FOG_COLOR] = fog.color;
     out[FOG_FACTORS] = {slope, fog.end * -slope, fog.density * LOG2_E, fog.density * ONE_DIV_SQRT_LN_2};
     out[ALPHA_REFERENCE] = glm::vec4(std::floor(state.fragment.alpha_reference * 255.0f + 0.5f));
+    if (out.size() <= STIPPLE)
+        return;
+    const StippleRows& rows = state.raster.polygon_stipple.rows;
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+        glm::vec4& values = out[STIPPLE + y / 2];
+        const int at = y % 2 == 0 ? 0 : 2;
+        values[at] = static_cast<float>(rows[y] >> 16);
+        values[at + 1] = static_cast<float>(rows[y] & 0xffff);
+    }
 }
 
 } // namespace legacygl

@@ -8,16 +8,19 @@
 
 namespace legacygl {
 
+/// Returns the whole number of pixels that an aliased point of the size covers in both directions.
+float rasterised_point_size(float size);
+
 /// Fills the uniform array `transform`; out has TransformLayout(key).size elements.
 void fill_transform(const State& state, const ShaderKey& key, std::span<glm::vec4> out);
 
 /// Fills the uniform array `lighting`; out has lighting_layout::size(key.light_count) elements.
-void fill_lighting(const State& state, const ShaderKey& key, std::span<glm::vec4> out);
+void fill_lighting(const LightingState& lighting, const ShaderKey& key, std::span<glm::vec4> out);
 
 /// Fills the uniform array `texturing`; out has texturing_layout::SIZE elements.
 void fill_texturing(const State& state, std::span<glm::vec4> out);
 
-/// Fills the uniform array `fragments`; out has fragments_layout::SIZE elements.
+/// Fills the uniform array `fragments`; out has fragments_layout::size() elements, with the stipple or without.
 void fill_fragments(const State& state, std::span<glm::vec4> out);
 
 } // namespace legacygl

@@ -19,6 +19,7 @@ struct StateField
         boolean,
         signed_integer,
         unsigned_integer, ///< also every GLenum
+        unsigned_short,
         real,
         fraction,        ///< A colour, a normal or a depth: 1 becomes the greatest integer.
         double_fraction, ///< The same, held as a GLdouble.
@@ -32,10 +33,17 @@ struct StateField
     StateField(bool& value) : StateField(Kind::boolean, 1, value) {}
     StateField(GLint& value) : StateField(Kind::signed_integer, 1, value) {}
     StateField(GLuint& value) : StateField(Kind::unsigned_integer, 1, value) {}
+    StateField(GLushort& value) : StateField(Kind::unsigned_short, 1, value) {}
     StateField(GLfloat& value) : StateField(Kind::real, 1, value) {}
     StateField(glm::vec4& value) : StateField(Kind::real, 4, value) {}
     template <std::size_t N>
     StateField(std::array<bool, N>& values) : StateField(Kind::boolean, static_cast<int>(N), values)
+    {}
+    template <std::size_t N>
+    StateField(std::array<GLenum, N>& values) : StateField(Kind::unsigned_integer, static_cast<int>(N), values)
+    {}
+    template <std::size_t N>
+    StateField(std::array<GLfloat, N>& values) : StateField(Kind::real, static_cast<int>(N), values)
     {}
     template <std::size_t N>
     StateField(std::array<GLint, N>& values) : StateField(Kind::signed_integer, static_cast<int>(N), values)

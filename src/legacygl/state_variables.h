@@ -21,6 +21,8 @@ template <class Visit> void visit_variables(State& s, Visit&& visit)
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         visit(0, GL_CURRENT_BIT, Field(current(texture_coordinate(unit))));
 
+    visit(GL_EDGE_FLAG, GL_CURRENT_BIT, Field(current(Attribute::edge_flag).x));
+    visit(0, GL_TRANSFORM_BIT, Field::opaque(s.transform.clip_planes));
     visit(GL_MATRIX_MODE, GL_TRANSFORM_BIT, Field(s.transform.matrix_mode));
     visit(GL_VIEWPORT, GL_VIEWPORT_BIT, Field(s.transform.viewport));
     visit(GL_DEPTH_RANGE, GL_VIEWPORT_BIT, Field::fraction(s.transform.depth_range));
@@ -46,7 +48,16 @@ template <class Visit> void visit_variables(State& s, Visit&& visit)
 
     RasterState& raster = s.raster;
     visit(GL_POINT_SIZE, GL_POINT_BIT, Field(raster.point_size));
+    visit(GL_POINT_SIZE_MIN, GL_POINT_BIT, Field(raster.point_parameters.minimum));
+    visit(GL_POINT_SIZE_MAX, GL_POINT_BIT, Field(raster.point_parameters.maximum));
+    visit(GL_POINT_FADE_THRESHOLD_SIZE, GL_POINT_BIT, Field(raster.point_parameters.fade_threshold));
+    visit(GL_POINT_DISTANCE_ATTENUATION, GL_POINT_BIT, Field(raster.point_parameters.attenuation));
     visit(GL_LINE_WIDTH, GL_LINE_BIT, Field(raster.line_width));
+    visit(GL_LINE_STIPPLE_REPEAT, GL_LINE_BIT, Field(raster.line_stipple.factor));
+    visit(GL_LINE_STIPPLE_PATTERN, GL_LINE_BIT, Field(raster.line_stipple.pattern));
+    visit(GL_POLYGON_MODE, GL_POLYGON_BIT, Field(raster.polygon_mode));
+    visit(0, GL_POLYGON_STIPPLE_BIT, Field::opaque(raster.polygon_stipple.rows));
+    visit(GL_PROVOKING_VERTEX, GL_LIGHTING_BIT, Field(raster.provoking_vertex));
     visit(GL_CULL_FACE_MODE, GL_POLYGON_BIT, Field(raster.cull_face_mode));
     visit(GL_FRONT_FACE, GL_POLYGON_BIT, Field(raster.front_face));
     visit(GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_BIT, Field(raster.polygon_offset_factor));
@@ -67,6 +78,7 @@ template <class Visit> void visit_variables(State& s, Visit&& visit)
     visit(GL_DEPTH_FUNC, GL_DEPTH_BUFFER_BIT, Field(fragment.depth_func));
     visit(GL_DEPTH_WRITEMASK, GL_DEPTH_BUFFER_BIT, Field(fragment.depth_mask));
     visit(GL_DEPTH_CLEAR_VALUE, GL_DEPTH_BUFFER_BIT, Field::fraction(fragment.clear_depth));
+    visit(GL_LOGIC_OP_MODE, GL_COLOR_BUFFER_BIT, Field(fragment.logic_op));
     visit(GL_BLEND_SRC_RGB, GL_COLOR_BUFFER_BIT, Field(fragment.blend.source_rgb));
     visit(GL_BLEND_DST_RGB, GL_COLOR_BUFFER_BIT, Field(fragment.blend.destination_rgb));
     visit(GL_BLEND_SRC_ALPHA, GL_COLOR_BUFFER_BIT, Field(fragment.blend.source_alpha));

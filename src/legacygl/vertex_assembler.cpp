@@ -23,6 +23,8 @@ void VertexAssembler::begin(GLenum mode)
 {
     inside_ = true;
     began_here_ = true;
+    set_between_ = 0;
+    indexed_ = false;
     mode_ = mode;
     first_ = batch_.vertex_count;
 }
@@ -44,7 +46,7 @@ void VertexAssembler::end()
 
 void VertexAssembler::close_primitive(bool ends)
 {
-    batch_.primitives.push_back({mode_, first_, batch_.vertex_count - first_, began_here_, ends});
+    batch_.primitives.push_back({mode_, first_, batch_.vertex_count - first_, began_here_, ends, indexed_});
 }
 
 VertexBatch VertexAssembler::take()
@@ -65,7 +67,7 @@ void VertexAssembler::clear()
     batch_.format = VertexFormat{};
     batch_.primitives.clear();
     batch_.unset_before = {};
-    batch_.attributes_set = 0;
+    batch_.attributes_set = batch_.attributes_varying = 0;
     offsets_ = {};
     floats_ = 0;
     batch_.vertex_count = 0;
@@ -105,6 +107,7 @@ void VertexAssembler::set_other(Attribute attribute, int components, glm::vec4 v
     if (has_vertices() && (wanted_ & (1u << i)) && !fits(i, components, value))
         widen(attribute, components, value);
     batch_.attributes_set |= 1u << i;
+    (inside_ ? batch_.attributes_varying : set_between_) |= 1u << i;
     (*current_)[i] = value;
     float* slot = template_.data() + offsets_[i];
     for (int c = 0; c < batch_.format.components[i]; ++c)

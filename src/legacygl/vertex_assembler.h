@@ -19,6 +19,7 @@ struct Primitive
     std::uint32_t count;
     bool begins; ///< The glBegin is in this batch.
     bool ends;   ///< The glEnd is in this batch.
+    bool indexed = false; ///< It came by index, from glDrawElements.
 };
 
 /// Vertices of one format and the primitives made of them.
@@ -33,7 +34,11 @@ struct VertexBatch
     /// Which attributes were set at all, as bits of Attribute, and the values they were left with.
     std::uint32_t attributes_set = 0;
     CurrentAttributes last{};
+    /// Which attributes a primitive's vertices may have got one by one. An attribute that is not among them
+    /// is the same for all vertices of a primitive.
+    std::uint32_t attributes_varying = 0;
 
+    bool varies(Attribute attribute) const { return attributes_varying & (1u << index_of(attribute)); }
     std::span<const float> used_vertices() const
     {
         return {vertices.data(), static_cast<std::size_t>(vertex_count) * format.floats()};
@@ -66,6 +71,15 @@ public:
     void set_wanted(std::uint32_t mask) { wanted_ = mask; }
     void begin(GLenum mode);
     void end();
+    /// Whether the attribute was set outside of glBegin and glEnd since the batch got its first vertices.
+    bool set_between(Attribute attribute) const
+    {
+        return has_vertices() && (set_between_ & (1u << index_of(attribute)));
+    }
+    /// Takes an attribute for one that vertices get one by one.
+    void set_varying(Attribute attribute) { batch_.attributes_varying |= 1u << index_of(attribute); }
+    /// Says that the primitive's vertices come by index.
+    void set_indexed() { indexed_ = true; }
     /// Goes on with a primitive that a previous batch began.
     void resume(GLenum mode);
     const CurrentAttributes& current() const { return *current_; }
@@ -79,6 +93,7 @@ public:
         const int present = batch_.format.components[i];
         if (present < components) [[unlikely]]
             return set_other(attribute, components, value);
+        (inside_ ? batch_.attributes_varying : set_between_) |= 1u << i;
         (*current_)[i] = value;
         float* slot = template_.data() + offsets_[i];
         for (int c = 0; c < components; ++c)
@@ -135,8 +150,10 @@ private:
     float* next_ = nullptr;  ///< Where the next vertex goes, if there is room.
     std::uint32_t room_ = 0; ///< How many vertices fit there; 0 outside of a primitive.
     std::uint32_t wanted_ = ~0u;
+    std::uint32_t set_between_ = 0; ///< Attributes set outside of primitives since the last glBegin.
     bool inside_ = false;
     bool began_here_ = false;
+    bool indexed_ = false;
     GLenum mode_ = GL_POINTS;
     std::uint32_t first_ = 0;
 };

@@ -143,6 +143,8 @@ public:
 
     int maximum_texture_size = 2048; ///< In texels, both ways; the least that WebGL 2 allows.
     LegacyGLCounters counters{};
+    /// The widest line that can be drawn; wider ones must come as triangles.
+    float maximum_line_width = 1;
     /// Counts the ES contexts lost so far; an object made in another generation is gone.
     std::uint32_t generation = 0;
 };

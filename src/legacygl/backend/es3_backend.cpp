@@ -209,6 +209,9 @@ private:
     {
         gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+        std::array<GLint, 2> line_widths{1, 1};
+        gl_.GetIntegerv(GL_ALIASED_LINE_WIDTH_RANGE, line_widths.data());
+        maximum_line_width = static_cast<float>(line_widths[1]);
         forget_state();
     }
 

@@ -61,10 +61,13 @@ void set_pointer(const char* entry, GLenum name, GLint size, GLenum type, GLsize
 }
 
 /// Draws elements as a glBegin, glArrayElement … glEnd does; what is current stays.
-template <class Index> void draw(Context& gl, VertexAssembler& to, GLenum mode, GLsizei count, Index index)
+template <class Index>
+void draw(Context& gl, VertexAssembler& to, GLenum mode, GLsizei count, bool indexed, Index index)
 {
     const CurrentAttributes before = to.current();
     &to == &gl.immediate ? gl.begin(mode) : to.begin(mode);
+    if (indexed)
+        to.set_indexed();
     for (GLsizei i = 0; i < count; ++i)
         give_element(gl.client_arrays, index(i), to);
     &to == &gl.immediate ? gl.end() : to.end();
@@ -75,7 +78,8 @@ template <class Index> void draw(Context& gl, VertexAssembler& to, GLenum mode, 
 }
 
 /// Sends a draw of arrays to where vertices go; the arrays are read now, also for a list.
-template <class Index> void draw_everywhere(const char* entry, GLenum mode, GLsizei count, Index index)
+template <class Index>
+void draw_everywhere(const char* entry, GLenum mode, GLsizei count, bool indexed, Index index)
 {
     Context* gl = current_context;
     if (!gl)
@@ -91,11 +95,11 @@ template <class Index> void draw_everywhere(const char* entry, GLenum mode, GLsi
     if (!gl->client_arrays.of(Attribute::position).enabled || count == 0)
         return;
     if (gl->compiler) {
-        draw(*gl, gl->compiler->vertices(), mode, count, index);
+        draw(*gl, gl->compiler->vertices(), mode, count, indexed, index);
         if (!gl->compiler->executes())
             return;
     }
-    draw(*gl, gl->immediate, mode, count, index);
+    draw(*gl, gl->immediate, mode, count, indexed, index);
 }
 
 /// Returns the indices' bytes: the client's, or those of the bound element buffer, of at least size bytes.
@@ -114,7 +118,7 @@ template <class T> void draw_indices(const char* entry, GLenum mode, GLsizei cou
     const std::uint8_t* bytes = current_context && count > 0
                                     ? index_bytes(indices, static_cast<std::size_t>(count) * sizeof(T))
                                     : nullptr;
-    draw_everywhere(entry, mode, bytes || count < 0 ? count : 0, [bytes](GLsizei i) {
+    draw_everywhere(entry, mode, bytes || count < 0 ? count : 0, true, [bytes](GLsizei i) {
         T index;
         std::memcpy(&index, bytes + static_cast<std::size_t>(i) * sizeof(T), sizeof(T));
         return static_cast<GLint>(index);
@@ -286,7 +290,7 @@ void glArrayElement(GLint i)
 
 void glDrawArrays(GLenum mode, GLint first, GLsizei count)
 {
-    draw_everywhere(__func__, mode, count, [first](GLsizei i) { return first + i; });
+    draw_everywhere(__func__, mode, count, false, [first](GLsizei i) { return first + i; });
 }
 
 void glDrawElements(GLenum mode, GLsizei count, GLenum type, const GLvoid* indices)

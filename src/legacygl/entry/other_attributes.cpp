@@ -1,5 +1,5 @@
 // Attributes newer than OpenGL 1.1: texture coordinates of other units, secondary colours and fog
-// coordinates (OpenGL 1.5, 2.7).
+// coordinates (OpenGL 1.5, 2.7); and edge flags (2.6.2).
 
 #define GL_GLEXT_PROTOTYPES
 #include "legacygl/component.h"
@@ -102,6 +102,21 @@ SECONDARY_COLOR(ub, GLubyte)
 SECONDARY_COLOR(us, GLushort)
 SECONDARY_COLOR(ui, GLuint)
 #undef SECONDARY_COLOR
+
+void glEdgeFlag(GLboolean flag)
+{
+    dispatch_vertex(
+        __func__,
+        [](VertexAssembler& to, GLboolean f) {
+            to.attribute(Attribute::edge_flag, 1, {f ? 1 : 0, 0, 0, 1});
+        },
+        flag);
+}
+
+void glEdgeFlagv(const GLboolean* flag)
+{
+    glEdgeFlag(*flag);
+}
 
 void glFogCoordf(GLfloat coord)
 {

@@ -35,10 +35,9 @@ struct ClientArray
     std::shared_ptr<BufferObject> buffer;
 };
 
-/// Edge flags and indices have no place in a vertex; their arrays come after those of Attribute.
+/// Colour indices have no place in a vertex; their array comes after those of Attribute.
 enum class OtherArray : std::uint8_t
 {
-    edge_flag,
     index,
     count
 };
@@ -73,7 +72,7 @@ inline ClientArrays::ClientArrays()
     of(Attribute::normal).size = 3;
     of(Attribute::secondary_color).size = 3;
     of(Attribute::fog_coordinate).size = 1;
-    of(OtherArray::edge_flag) = {false, 1, GL_UNSIGNED_BYTE, 0, nullptr, 0, nullptr};
+    of(Attribute::edge_flag) = {false, 1, GL_UNSIGNED_BYTE, 0, nullptr, 0, nullptr};
     of(OtherArray::index).size = 1;
 }
 
@@ -93,7 +92,7 @@ inline const ClientArray* ClientArrays::find(GLenum name, int client_unit) const
     case GL_TEXTURE_COORD_ARRAY:
         return &of(texture_coordinate(client_unit));
     case GL_EDGE_FLAG_ARRAY:
-        return &of(OtherArray::edge_flag);
+        return &of(Attribute::edge_flag);
     case GL_INDEX_ARRAY:
         return &of(OtherArray::index);
     default:

@@ -7,21 +7,6 @@
 
 namespace legacygl {
 
-/// OpenGL 1.5, table 6.13.
-struct RasterState
-{
-    bool cull_face = false;
-    GLenum cull_face_mode = GL_BACK;
-    GLenum front_face = GL_CCW;
-    GLfloat line_width = 1;
-    GLfloat point_size = 1;
-    bool polygon_offset_fill = false;
-    bool polygon_offset_line = false;
-    bool polygon_offset_point = false;
-    GLfloat polygon_offset_factor = 0;
-    GLfloat polygon_offset_units = 0;
-};
-
 /// The stencil test (OpenGL 1.5, table 6.18).
 struct StencilState
 {
@@ -75,6 +60,9 @@ struct FragmentState
     StencilState stencil;
     BlendState blend;
     bool dither = true;
+    bool color_logic_op = false;
+    bool index_logic_op = false; ///< Of colour indices, which nothing is drawn with.
+    GLenum logic_op = GL_COPY;
     bool depth_mask = true;
     std::array<bool, 4> color_mask{true, true, true, true};
     glm::vec4 clear_color{0, 0, 0, 0};

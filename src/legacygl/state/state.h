@@ -3,6 +3,7 @@
 #include "legacygl/state/fragment.h"
 #include "legacygl/state/lighting.h"
 #include "legacygl/state/pixel_store.h"
+#include "legacygl/state/raster.h"
 #include "legacygl/state/texturing.h"
 #include "legacygl/state/transform.h"
 #include "legacygl/vertex_format.h"

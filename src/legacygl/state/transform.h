@@ -45,6 +45,15 @@ private:
     std::vector<Matrix> matrices_;
 };
 
+constexpr int CLIP_PLANE_COUNT = 6;
+
+/// A user clip plane (OpenGL 1.5, 2.12); the equation is in eye coordinates.
+struct ClipPlane
+{
+    bool enabled = false;
+    glm::vec4 equation{0, 0, 0, 0};
+};
+
 /// OpenGL 1.5, table 6.9.
 struct TransformState
 {
@@ -56,6 +65,15 @@ struct TransformState
     std::array<GLfloat, 2> depth_range{0, 1};
     bool normalize = false;
     bool rescale_normal = false;
+    std::array<ClipPlane, CLIP_PLANE_COUNT> clip_planes;
+
+    bool clips() const
+    {
+        for (const ClipPlane& plane : clip_planes)
+            if (plane.enabled)
+                return true;
+        return false;
+    }
 };
 
 } // namespace legacygl

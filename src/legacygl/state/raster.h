@@ -1,0 +1,85 @@
+#pragma once
+
+#include <GL/gl.h>
+
+#include <array>
+#include <cstdint>
+
+namespace legacygl {
+
+/// The greatest point size and line width, and the steps between; Mesa's software renderer has the same.
+constexpr GLfloat MAXIMUM_POINT_SIZE = 255, MAXIMUM_LINE_WIDTH = 255, SIZE_GRANULARITY = 0.1f;
+
+/// How a point's size depends on its distance (OpenGL 1.5, 3.3).
+struct PointParameters
+{
+    GLfloat minimum = 0;
+    GLfloat maximum = MAXIMUM_POINT_SIZE;
+    GLfloat fade_threshold = 1; ///< Only of multisampling, which no target has.
+    std::array<GLfloat, 3> attenuation{1, 0, 0};
+    bool attenuates() const { return attenuation != std::array<GLfloat, 3>{1, 0, 0}; }
+};
+
+/// OpenGL 1.5, 3.4.2.
+struct LineStipple
+{
+    bool enabled = false;
+    GLint factor = 1;
+    GLushort pattern = 0xffff;
+    /// Returns whether some of a line is left out.
+    bool stipples() const { return enabled && pattern != 0xffff; }
+};
+
+/// A polygon stipple: 32 rows from the bottom, in each the leftmost pixel in the highest bit.
+using StippleRows = std::array<std::uint32_t, 32>;
+
+/// OpenGL 1.5, 3.5.2.
+struct PolygonStipple
+{
+    PolygonStipple() { rows.fill(~0u); }
+    bool enabled = false;
+    StippleRows rows{};
+};
+
+/// OpenGL 1.5, table 6.13.
+struct RasterState
+{
+    bool cull_face = false;
+    GLenum cull_face_mode = GL_BACK;
+    GLenum front_face = GL_CCW;
+    std::array<GLenum, 2> polygon_mode{GL_FILL, GL_FILL}; ///< front, back
+    bool polygon_smooth = false;
+    PolygonStipple polygon_stipple;
+    bool polygon_offset_fill = false;
+    bool polygon_offset_line = false;
+    bool polygon_offset_point = false;
+    GLfloat polygon_offset_factor = 0;
+    GLfloat polygon_offset_units = 0;
+    GLfloat line_width = 1;
+    bool line_smooth = false;
+    LineStipple line_stipple;
+    GLfloat point_size = 1;
+    bool point_smooth = false;
+    PointParameters point_parameters;
+    GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
+
+    /// Returns the size of points before their distance counts.
+    GLfloat clamped_point_size() const
+    {
+        const GLfloat least = point_size < point_parameters.minimum ? point_parameters.minimum : point_size;
+        const GLfloat size = least > point_parameters.maximum ? point_parameters.maximum : least;
+        return size > MAXIMUM_POINT_SIZE ? MAXIMUM_POINT_SIZE : size;
+    }
+    /// Returns whether polygons of the face (0 front, 1 back) are culled.
+    bool culls(int face) const
+    {
+        return cull_face && (cull_face_mode == GL_FRONT_AND_BACK || (cull_face_mode == GL_BACK) == (face == 1));
+    }
+    /// Returns whether polygons of some face are drawn as points or lines.
+    bool unfilled() const
+    {
+        return (polygon_mode[0] != GL_FILL && !culls(0)) || (polygon_mode[1] != GL_FILL && !culls(1));
+    }
+};
+
+} // namespace legacygl

@@ -23,6 +23,24 @@ bool stipples(const State& state, PrimitiveClass primitive)
     return primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;
 }
 
+/// Returns whether flat shading takes a colour from one vertex that others may not have.
+bool takes_vertex_color(const State& state, const VertexBatch& batch)
+{
+    return state.lighting.shade_model == GL_FLAT &&
+           (state.lighting.enabled || batch.varies(Attribute::color));
+}
+
+/// Returns whether a vertex of the batch has a material of its own that shines.
+bool shines(const VertexBatch& batch)
+{
+    const auto sets_shininess = [](const MaterialChange& change) {
+        return change.name == GL_SHININESS && change.values[0] != 0;
+    };
+    return !batch.material_changes.empty() &&
+           (batch.materials_before[0].shininess != 0 || batch.materials_before[1].shininess != 0 ||
+            std::any_of(batch.material_changes.begin(), batch.material_changes.end(), sets_shininess));
+}
+
 } // namespace
 
 Pipeline make_pipeline(const State& state)
@@ -182,9 +200,7 @@ void Renderer::draw(const State& state, const VertexBatch& batch)
         return draw_shaded(state, batch, *work);
     runs_.clear();
     indices_.clear();
-    const bool flat = state.lighting.shade_model == GL_FLAT &&
-                      (state.lighting.enabled || batch.varies(Attribute::color));
-    QuadCut quad_cut(state, batch, flat);
+    QuadCut quad_cut(state, batch, takes_vertex_color(state, batch));
     make_runs(batch.primitives, runs_, indices_, &quad_cut);
     for_each_program(state, batch, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
         backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
@@ -210,7 +226,9 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
     const RasterState& raster = state.raster;
     const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
     const RasterWork work{raster.unfilled(), wide, raster.line_smooth, raster.point_smooth};
-    const bool all = state.transform.clips() || (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
+    const bool own_materials = state.lighting.enabled && !batch.material_changes.empty();
+    const bool all = state.transform.clips() || own_materials ||
+                     (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
                                                  state.lighting.shade_model == GL_FLAT);
     const auto needs_work = [&](const Primitive& primitive) {
         switch (class_of(primitive.mode)) {
@@ -228,14 +246,19 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work)
 {
-    const ShaderKey key =
-        make_shader_key(state, PrimitiveClass::triangles, batch.varies(Attribute::color));
+    ShaderKey key = make_shader_key(state, PrimitiveClass::triangles, batch.varies(Attribute::color));
+    key.specular = key.specular || shines(batch);
     VertexShading shading(state, key);
     const std::vector<ShadedVertex> vertices = shading.shade(batch);
     RasterOutput output(key, shading.viewport());
     PrimitivePipeline stages(state, key, work, shading, stipple_counter_, output);
-    for (const Primitive& primitive : batch.primitives)
-        stages.draw(primitive.mode, std::span(vertices).subspan(primitive.first, primitive.count));
+    QuadCut quad_cut(state, batch, takes_vertex_color(state, batch) || work.unfilled);
+    for (std::size_t p = 0; p < batch.primitives.size(); ++p) {
+        const Primitive& primitive = batch.primitives[p];
+        const bool from_first = primitive.mode == GL_QUADS && quad_cut.from_first(p);
+        stages.draw(primitive.mode, from_first,
+                    std::span(vertices).subspan(primitive.first, primitive.count));
+    }
     draw_shaded(state, key, work, output);
 }
 

@@ -67,6 +67,7 @@ void VertexAssembler::clear()
     batch_.format = VertexFormat{};
     batch_.primitives.clear();
     batch_.unset_before = {};
+    batch_.material_changes.clear();
     batch_.attributes_set = batch_.attributes_varying = 0;
     offsets_ = {};
     floats_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "legacygl/state/lighting.h"
 #include "legacygl/vertex_format.h"
 
 #include <GL/gl.h>
@@ -22,6 +23,14 @@ struct Primitive
     bool indexed = false; ///< It came by index, from glDrawElements.
 };
 
+/// A glMaterial between glBegin and glEnd: it holds from a vertex on.
+struct MaterialChange
+{
+    std::uint32_t vertex;
+    GLenum face, name;
+    std::array<float, 4> values;
+};
+
 /// Vertices of one format and the primitives made of them.
 struct VertexBatch
 {
@@ -37,6 +46,10 @@ struct VertexBatch
     /// Which attributes a primitive's vertices may have got one by one. An attribute that is not among them
     /// is the same for all vertices of a primitive.
     std::uint32_t attributes_varying = 0;
+
+    /// Changes of the material, in order, and the materials before the first of them.
+    std::vector<MaterialChange> material_changes;
+    std::array<Material, 2> materials_before;
 
     bool varies(Attribute attribute) const { return attributes_varying & (1u << index_of(attribute)); }
     std::span<const float> used_vertices() const
@@ -118,6 +131,15 @@ public:
         next_ += floats_;
         --room_;
         ++batch_.vertex_count;
+    }
+
+    /// Notes that the material changes before the next vertex. now: the materials without the change.
+    void change_material(MaterialChange change, const std::array<Material, 2>& now)
+    {
+        if (batch_.material_changes.empty())
+            batch_.materials_before = now;
+        change.vertex = batch_.vertex_count;
+        batch_.material_changes.push_back(change);
     }
 
     bool has_vertices() const { return batch_.vertex_count != 0; }

@@ -107,7 +107,8 @@ TEST(SteadyFrame, AllocatesNothingAndCompilesNoShader)
     EXPECT_EQ(allocations, before);
     EXPECT_EQ(backend->programs, programs);
     EXPECT_EQ(backend->geometries, geometries);
-    EXPECT_EQ(backend->draws, 21) << "One a list call, one for all triangles of the same state.";
+    EXPECT_EQ(backend->draws, 22) << "One a list call; of the triangles of the same state one for the first, "
+                                     "which has a colour alone, and one for all others.";
     legacygl::current_context = nullptr;
 }
 

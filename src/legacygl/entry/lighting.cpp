@@ -147,34 +147,13 @@ void set_material(Context& gl, GLenum face, GLenum name, const Values& v)
         return gl.set_error(GL_INVALID_ENUM);
     if (name == GL_SHININESS && !(v[0] >= 0 && v[0] <= 128))
         return gl.set_error(GL_INVALID_VALUE);
+    if (gl.immediate.inside())
+        gl.immediate.change_material({0, face, name, v}, gl.state.lighting.materials);
+    else
+        gl.flush_vertices();
     gl.renderer.changed(Renderer::lighting);
-    for (int side = 0; side < 2; ++side) {
-        if (face == (side == 0 ? GL_BACK : GL_FRONT))
-            continue;
-        Material& material = gl.state.lighting.materials[side];
-        switch (name) {
-        case GL_AMBIENT:
-            material[MaterialProperty::ambient] = color(v);
-            break;
-        case GL_DIFFUSE:
-            material[MaterialProperty::diffuse] = color(v);
-            break;
-        case GL_SPECULAR:
-            material[MaterialProperty::specular] = color(v);
-            break;
-        case GL_EMISSION:
-            material[MaterialProperty::emission] = color(v);
-            break;
-        case GL_AMBIENT_AND_DIFFUSE:
-            material[MaterialProperty::ambient] = material[MaterialProperty::diffuse] = color(v);
-            break;
-        case GL_SHININESS:
-            material.shininess = v[0];
-            break;
-        default:
-            return gl.set_error(GL_INVALID_ENUM);
-        }
-    }
+    if (!gl.state.lighting.set_material(face, name, v))
+        return gl.set_error(GL_INVALID_ENUM);
     gl.store_followed_color(); // What follows the colour is not changed by glMaterial.
 }
 
@@ -185,7 +164,7 @@ template <class T> void light(const char* entry, GLenum which, GLenum name, cons
 
 template <class T> void material(const char* entry, GLenum face, GLenum name, const T* params)
 {
-    dispatch(entry, set_material, face, name, read(name, params));
+    dispatch<Where::anywhere>(entry, set_material, face, name, read(name, params));
 }
 
 template <class T> void model(const char* entry, GLenum name, const T* params)

@@ -20,9 +20,10 @@ struct DecomposedTriangle
 ///
 /// Follows the order of Mesa's pipeline, which differs from that of append_indices(): which triangle comes
 /// first is seen in line stipples and blended edges. first_vertex: the first vertex of a line or triangle
-/// provokes, else its last.
+/// provokes, else its last. quads_from_first: quads are cut from their first corner, see QuadCut.
 template <class Point, class Line, class Triangle>
-void decompose(GLenum mode, std::uint32_t count, bool first_vertex, Point point, Line line, Triangle triangle)
+void decompose(GLenum mode, std::uint32_t count, bool first_vertex, bool quads_from_first, Point point,
+               Line line, Triangle triangle)
 {
     constexpr std::uint32_t E0 = 1, E1 = 2, E2 = 4, ALL = 7;
     switch (mode) {
@@ -65,7 +66,7 @@ void decompose(GLenum mode, std::uint32_t count, bool first_vertex, Point point,
         break;
     case GL_QUADS:
         for (std::uint32_t i = 0; i + 3 < count; i += 4) {
-            if (first_vertex) {
+            if (first_vertex || quads_from_first) {
                 triangle(DecomposedTriangle{{i, i + 1, i + 2}, E0 | E1, true});
                 triangle(DecomposedTriangle{{i, i + 2, i + 3}, E1 | E2, false});
             } else {

@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::uint32_t EDGE_0 = 1, EDGE_1 = 2, EDGE_2 = 4;
 
+/// Returns whether the vertex is somewhere in the window: w may be 0 at a place that no plane cuts off.
+bool has_place(const ShadedVertex& vertex)
+{
+    return std::isfinite(vertex.window.x) && std::isfinite(vertex.window.y) &&
+           std::isfinite(vertex.window.z) && std::isfinite(vertex.window.w);
+}
+
 /// Returns twice the triangle's area in the window, positive when it runs counter-clockwise.
 float determinant(const std::array<ShadedVertex, 3>& t)
 {
@@ -48,10 +55,10 @@ PrimitivePipeline::PrimitivePipeline(const State& state, const ShaderKey& key, c
 {
 }
 
-void PrimitivePipeline::draw(GLenum mode, std::span<const ShadedVertex> vertices)
+void PrimitivePipeline::draw(GLenum mode, bool quads_from_first, std::span<const ShadedVertex> vertices)
 {
     decompose(
-        mode, static_cast<std::uint32_t>(vertices.size()), first_vertex_,
+        mode, static_cast<std::uint32_t>(vertices.size()), first_vertex_, quads_from_first,
         [&](std::uint32_t i) { point(vertices[i]); },
         [&](std::uint32_t i, std::uint32_t j, bool begins) { line(vertices[i], vertices[j], begins); },
         [&](const DecomposedTriangle& t) { polygon(vertices, t); });
@@ -208,6 +215,8 @@ void PrimitivePipeline::stippled_line(const ShadedVertex& a, const ShadedVertex&
 /// cut: the ends' clip coordinates are not theirs any more.
 void PrimitivePipeline::draw_line(const ShadedVertex& a, const ShadedVertex& b, bool cut)
 {
+    if (!has_place(a) || !has_place(b))
+        return;
     if (work_.smooth_lines)
         return add_smooth_line(a, b, state_.raster.line_width, out_);
     if (!cut && !work_.line_quads)
@@ -227,6 +236,8 @@ void PrimitivePipeline::draw_line(const ShadedVertex& a, const ShadedVertex& b, 
 void PrimitivePipeline::draw_point(const ShadedVertex& vertex)
 {
     stipple_counter_ = 0;
+    if (!has_place(vertex))
+        return;
     if (work_.smooth_points)
         return add_smooth_point(vertex, out_);
     out_.point(vertex);

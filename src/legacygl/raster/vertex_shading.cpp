@@ -77,11 +77,24 @@ std::vector<ShadedVertex> VertexShading::shade(const VertexBatch& batch)
 {
     std::vector<ShadedVertex> out(batch.vertex_count);
     CurrentAttributes attributes = state_.current;
+    auto change = batch.material_changes.begin();
+    if (change != batch.material_changes.end())
+        set_materials(batch.materials_before);
     for (std::uint32_t i = 0; i < batch.vertex_count; ++i) {
+        for (; change != batch.material_changes.end() && change->vertex == i; ++change) {
+            lighting_.set_material(change->face, change->name, change->values);
+            fill_lighting(lighting_, key_, lighting_values_);
+        }
         read_vertex(batch, i, attributes);
         out[i] = shade(attributes);
     }
     return out;
+}
+
+void VertexShading::set_materials(const std::array<Material, 2>& materials)
+{
+    lighting_.materials = materials;
+    fill_lighting(lighting_, key_, lighting_values_);
 }
 
 glm::vec3 VertexShading::eye_normal(const glm::vec4& normal) const

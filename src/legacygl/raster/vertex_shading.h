@@ -20,7 +20,8 @@ class VertexShading
 public:
     VertexShading(const State& state, const ShaderKey& key);
 
-    /// Shades all vertices of a batch; what the batch's vertices lack is what is current.
+    /// Shades all vertices of a batch, each with the material it was given; what the batch's vertices lack is
+    /// what is current.
     std::vector<ShadedVertex> shade(const VertexBatch& batch);
 
     const ClipVolume& volume() const { return volume_; }
@@ -28,6 +29,7 @@ public:
 
 private:
     ShadedVertex shade(const CurrentAttributes& attributes) const;
+    void set_materials(const std::array<Material, 2>& materials);
     void place(const glm::vec4& position, ShadedVertex& vertex) const;
     void texture(int unit, const CurrentAttributes& attributes, const glm::vec4& eye,
                  const glm::vec4& sphere, ShadedVertex& vertex) const;

@@ -64,9 +64,45 @@ struct LightingState
     bool separate_specular = false;
     std::array<Light, LIGHT_COUNT> lights;
 
+    /// Sets properties of one or both faces. Returns false when the name is not one of a material.
+    bool set_material(GLenum face, GLenum name, const std::array<float, 4>& values);
     /// Returns whether glColor sets this property of this face (0 front, 1 back).
     bool follows_color(int face, MaterialProperty property) const;
 };
+
+inline bool LightingState::set_material(GLenum face, GLenum name, const std::array<float, 4>& v)
+{
+    using enum MaterialProperty;
+    const glm::vec4 color = {v[0], v[1], v[2], v[3]};
+    for (int side = 0; side < 2; ++side) {
+        if (face == (side == 0 ? GL_BACK : GL_FRONT))
+            continue;
+        Material& material = materials[side];
+        switch (name) {
+        case GL_AMBIENT:
+            material[ambient] = color;
+            break;
+        case GL_DIFFUSE:
+            material[diffuse] = color;
+            break;
+        case GL_SPECULAR:
+            material[specular] = color;
+            break;
+        case GL_EMISSION:
+            material[emission] = color;
+            break;
+        case GL_AMBIENT_AND_DIFFUSE:
+            material[ambient] = material[diffuse] = color;
+            break;
+        case GL_SHININESS:
+            material.shininess = v[0];
+            break;
+        default:
+            return false;
+        }
+    }
+    return true;
+}
 
 inline bool LightingState::follows_color(int face, MaterialProperty property) const
 {

@@ -1,8 +1,9 @@
 // Measures legacygl beside other ways to draw the same, for scripts/bench; see tests/bench.
 //
-// Every figure is a ratio of medians: the two sides take turns, frame by frame in a page, run by run natively.
-//   in Chromium   the time of the page's own thread in a function that draws a frame, which ends when the
-//                 commands are with the browser; the process that draws is not counted
+// Every figure is a ratio of medians: the two sides take turns, a few frames at a time in a page, run by run natively.
+//   in Chromium   CPU time that the kernel counts for the page's main thread, a frame: the program, the library
+//                 and the browser's WebGL up to where another process draws, whose time is not in it, nor is
+//                 waiting for it
 //   natively      wall time of a frame, its drawing by Mesa's llvmpipe included
 //   compile       wall time from glNewList to glEndList, with what the first call takes longer than a later one
 import fs from "node:fs";
@@ -16,9 +17,11 @@ import { serve } from "./serve.mjs";
 const PAGE = fileURLToPath(new URL("../build/web-build/tests/bench/page", import.meta.url));
 const NATIVE = fileURLToPath(new URL("../build/native/tests/bench", import.meta.url));
 const FRAMES = 100;
-const WARM_UP_FRAMES = 30;
+const BATCH = 10;
+const BATCHES = 15;
+const WARM_UP_BATCHES = 10;
 const PAGE_TIMEOUT = 120_000;
-const BROWSERS = { "SwiftShader": "chromium", Mesa: "chromium-mesa" };
+const BROWSERS = { SwiftShader: "chromium", Mesa: "chromium-mesa" };
 
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
@@ -30,18 +33,49 @@ function expectSame(what, one, other) {
   if (one.every((value, i) => value === one[i % 4])) throw new Error(`${what}: the picture is empty`);
 }
 
-async function measurePage(browserName) {
+/** Gives a function that tells the CPU time of the page's main thread so far, in milliseconds. */
+async function threadClock(browser, page) {
+  const session = await browser.target().createCDPSession();
+  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+  await page.evaluate(() => {
+    for (const end = performance.now() + 200; performance.now() < end; );
+  });
+  const after = (await session.send("SystemInfo.getProcessInfo")).processInfo;
+  const used = (process) => process.cpuTime - (processInfo.find(({ id }) => id === process.id)?.cpuTime ?? 0);
+  const busiest = after.filter(({ type }) => type === "renderer").reduce((one, other) => (used(one) > used(other) ? one : other));
+  return () => Number(fs.readFileSync(`/proc/${busiest.id}/task/${busiest.id}/schedstat`, "utf8").split(" ")[0]) / 1e6;
+}
+
+/** Gives { name: milliseconds of a frame in each batch }; the programs take turns. */
+async function measureBatches(page, clock, names) {
+  const batch = async (name, draws) => {
+    const before = clock();
+    await page.evaluate((...given) => run(...given), name, BATCH, draws);
+    return clock() - before;
+  };
+  const times = Object.fromEntries(names.map((name) => [name, []]));
+  for (let i = 0; i < WARM_UP_BATCHES + BATCHES; ++i) {
+    for (const name of names) {
+      const waiting = await batch(name, false);
+      const time = (await batch(name, true)) - waiting;
+      if (i >= WARM_UP_BATCHES) times[name].push(time / BATCH);
+    }
+  }
+  return times;
+}
+
+export async function measurePage(browserName) {
   const server = await serve(PAGE, { isolated: true });
   const browser = await launch(browserName);
   try {
     const page = await browser.newPage();
     page.setDefaultTimeout(PAGE_TIMEOUT);
     await page.goto(server.url);
-    await page.waitForFunction("window.measure");
+    await page.waitForFunction("window.pictures");
     const pictures = await page.evaluate("pictures()");
     expectSame("immediate mode", pictures.immediate, pictures.emulation);
     expectSame("display lists", pictures.lists, pictures.by_hand);
-    return await page.evaluate((frames, warmUp) => measure(frames, warmUp), FRAMES, WARM_UP_FRAMES);
+    return await measureBatches(page, await threadClock(browser, page), Object.keys(pictures));
   } finally {
     await browser.close();
     await server.close();

@@ -1,8 +1,4 @@
-// What scripts/bench asks of this page: window.measure(frames) and window.pictures().
-//
-// Time is that of this thread in a function that draws a frame: what the program, the library and the browser's
-// WebGL do before the commands lie in the queue of the process that draws. That process is let finish after
-// each frame, outside of the time, so that a full queue never makes the next frame wait for it.
+// What scripts/bench asks of this page: run(name, frames) and pictures().
 import { webglLists } from "./webgl_lists.js";
 
 const LISTS = 1000, LIST_FLOATS = 36 * 6;
@@ -26,33 +22,29 @@ function byHand(id, { module }) {
   return { frame: webglLists(gl, meshes, numbers(module._bench_list_matrices(), LISTS * 16)), gl };
 }
 
-const ready = (async () => {
+const ready = window.programs = (async () => {
   const immediate = await legacygl("immediate", 0);
   const lists = await legacygl("lists", 1);
   return { immediate, emulation: await emulation("emulation"), lists, by_hand: byHand("by_hand", lists) };
 })();
 
-function readBack({ gl }, pixels) {
-  gl.readPixels(0, 0, pixels.length > 4 ? 256 : 1, pixels.length > 4 ? 256 : 1, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+function readBack({ gl }) {
+  const pixels = new Uint8Array(256 * 256 * 4);
+  gl.readPixels(0, 0, 256, 256, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   return pixels;
 }
 
-/** Gives { name: milliseconds of each frame }, the programs taken in turn. */
-window.measure = async (frames, warmUp) => {
-  const programs = Object.entries(await ready);
-  const times = Object.fromEntries(programs.map(([name]) => [name, []]));
+let number = 0;
+
+/** Draws some frames of a program, or none in as many turns. After each turn the process that draws is let finish,
+    so that a full queue never makes the next frame wait. */
+window.run = async (name, frames, draws) => {
+  const { frame, gl } = (await ready)[name];
   const pixel = new Uint8Array(4);
-  for (let number = 0; number < warmUp + frames; ++number) {
-    for (const [name, program] of programs) {
-      await new Promise(requestAnimationFrame);
-      const start = performance.now();
-      program.frame(number);
-      const time = performance.now() - start;
-      if (number >= warmUp) times[name].push(time);
-      readBack(program, pixel);
-    }
+  for (let i = 0; i < frames; ++i) {
+    if (draws) frame(++number);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
   }
-  return times;
 };
 
 /** Gives { name: bytes of a frame's picture }: what is measured has to draw the same. */
@@ -60,7 +52,7 @@ window.pictures = async () => {
   const out = {};
   for (const [name, program] of Object.entries(await ready)) {
     program.frame(1);
-    out[name] = Array.from(readBack(program, new Uint8Array(256 * 256 * 4)));
+    out[name] = Array.from(readBack(program));
   }
   return out;
 };

@@ -24,7 +24,7 @@ function bar({ radius, distance, inside }) {
 /** Returns what was found of one sphere. */
 function sphere(title, test, isLine, level) {
   const numbers = [`${metres(test.distance)} from the centre, radius ${metres(test.radius)}`, `centre ${place(test.centre)}`];
-  if (isLine) numbers.push(`closest point ${place(test.closest_point)}`, `parameter ${Number(test.parameter.toFixed(3))}`);
+  if (isLine) numbers.push(`closest point ${place(test.closest_point)} at parameter ${Number(test.parameter.toFixed(3))}`);
   return element(
     "div",
     `level ${level}${test.inside ? " is-inside" : ""}`,
@@ -47,7 +47,7 @@ function testedParts(tested) {
 }
 
 function triangle({ part, inside, distance }) {
-  const text = inside ? `${metres(distance)} below the surface: hit` : `${metres(distance)} off the surface: rejected`;
+  const text = inside ? `${metres(distance)} deep: hit` : `${metres(distance)} away: rejected`;
   return element("div", "line", element("b", "", spoken(part)), element("span", "amount", text));
 }
 

@@ -8,7 +8,8 @@ export function followStatus(program) {
   const line = document.getElementById("status");
   const update = (state) => {
     const parts = [`${state.detail === "both" ? "Both models" : `${state.level === "low" ? "Low" : "High"} model`}`];
-    const triangles = state.evidence.find(({ label }) => label === "Triangles");
+    // The evidence of a task may say something else of triangles, in words.
+    const triangles = state.evidence.find(({ label, value }) => label === "Triangles" && /^\d+$/.test(value));
     if (triangles) parts.push(counted(Number(triangles.value), "triangle"));
     parts.push(counted(program.drawCalls(), "draw call"));
     if (state.sparks > 0) parts.push(counted(state.sparks, "spark"));

@@ -29,7 +29,10 @@ export class TaskEntry {
     again.href = this.head.href;
     const buttons = element("div", "buttons", again);
     if (!this.isFigure) {
-      this.checking = button("", "Check", () => this.check());
+      this.checking = button("", "Check", async () => {
+        await this.check();
+        this.found.scrollIntoView({ block: "nearest" });
+      });
       this.checking.setAttribute("aria-label", `Check ${task.id}, ${task.title}`);
       buttons.append(this.checking, this.verdict);
     }

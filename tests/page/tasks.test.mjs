@@ -44,6 +44,8 @@ test("each task and figure is opened by its link, shown with all it has, and giv
       assert.deepEqual(shown.labels, state.evidence.map(({ label }) => label), row.id);
       assert.equal(state.link.replace(/&tick=\d+$/, ""), row.link, "but for the time that has passed since");
       assert.ok((await page.title()).includes(row.title));
+      // It follows four times in a second; what it must never say is caught at one task or another.
+      assert.match(await page.$eval("#status", (line) => line.textContent), /^(High|Low|Both) models?(( · [\d,]+ (triangle|draw call|spark)s?)|( · projectile in flight))+$/);
     }
     assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll(".notice p")].map((p) => p.textContent)), []);
     assert.deepEqual(problems, []);

@@ -15,6 +15,10 @@ namespace {
 
 constexpr std::string_view TASK = "task=3.2";
 
+/// The window that d was measured in; a larger one shows more, a smaller one less. Pixels.
+constexpr int MEASURED_WIDTH = 1280;
+constexpr int MEASURED_HEIGHT = 800;
+
 /// Holds a key until the distance stays what it is, at most a minute.
 void zoom_to_the_end(app::Simulation& simulation, std::string_view command)
 {
@@ -67,8 +71,8 @@ void check_moving_away(const CheckSubject& subject, Evidence& evidence)
 lod::PictureDifference difference_at(const CheckSubject& subject, double distance)
 {
     // d is measured at 1280 x 800; a larger window shows more, a smaller one less.
-    CheckSubject window{subject.assets, subject.renderer, std::min(subject.width, 1280),
-                        std::min(subject.height, 800)};
+    CheckSubject window{subject.assets, subject.renderer, std::min(subject.width, MEASURED_WIDTH),
+                        std::min(subject.height, MEASURED_HEIGHT)};
     app::Simulation simulation(subject.assets);
     simulation.open_link(TASK);
     simulation.apply("distance", distance);
@@ -97,8 +101,10 @@ std::string percent(double share)
 void check_difference(const CheckSubject& subject, Evidence& evidence)
 {
     const double d = app::State{}.show.threshold;
+    // In a lower window the tank is as small as in the one of the measurement further away.
+    const double as_seen = d * std::min(subject.height, MEASURED_HEIGHT) / MEASURED_HEIGHT;
     const lod::PictureDifference beyond = difference_at(subject, d * 1.02);
-    const lod::PictureDifference inside = difference_at(subject, d / 5.0);
+    const lod::PictureDifference inside = difference_at(subject, as_seen / 5.0);
     const lod::ShowingCriterion criterion;
     evidence.require(beyond.tank_pixels > 0 && !lod::shows(beyond, criterion),
                      "Beyond the d of " + app::in_metres(d) + " m high and low differ in " +

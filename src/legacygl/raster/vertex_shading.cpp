@@ -69,7 +69,8 @@ VertexShading::VertexShading(const State& state, const ShaderKey& key)
       lighting_values_(lighting_layout::size(key.light_count)), texturing_values_(texturing_layout::SIZE)
 {
     fill_transform(state, key, transform_values_);
-    fill_lighting(lighting_, key, lighting_values_);
+    if (key.lighting) // otherwise there is no room for the lights that are enabled all the same
+        fill_lighting(lighting_, key, lighting_values_);
     fill_texturing(state, texturing_values_);
 }
 

@@ -69,9 +69,15 @@ VertexShading::VertexShading(const State& state, const ShaderKey& key)
       lighting_values_(lighting_layout::size(key.light_count)), texturing_values_(texturing_layout::SIZE)
 {
     fill_transform(state, key, transform_values_);
-    if (key.lighting) // otherwise there is no room for the lights that are enabled all the same
-        fill_lighting(lighting_, key, lighting_values_);
+    fill_lighting_values();
     fill_texturing(state, texturing_values_);
+}
+
+/// Without lighting there is no room for the lights that are enabled all the same.
+void VertexShading::fill_lighting_values()
+{
+    if (key_.lighting)
+        fill_lighting(lighting_, key_, lighting_values_);
 }
 
 std::vector<ShadedVertex> VertexShading::shade(const VertexBatch& batch)
@@ -84,7 +90,7 @@ std::vector<ShadedVertex> VertexShading::shade(const VertexBatch& batch)
     for (std::uint32_t i = 0; i < batch.vertex_count; ++i) {
         for (; change != batch.material_changes.end() && change->vertex == i; ++change) {
             lighting_.set_material(change->face, change->name, change->values);
-            fill_lighting(lighting_, key_, lighting_values_);
+            fill_lighting_values();
         }
         read_vertex(batch, i, attributes);
         out[i] = shade(attributes);
@@ -95,7 +101,7 @@ std::vector<ShadedVertex> VertexShading::shade(const VertexBatch& batch)
 void VertexShading::set_materials(const std::array<Material, 2>& materials)
 {
     lighting_.materials = materials;
-    fill_lighting(lighting_, key_, lighting_values_);
+    fill_lighting_values();
 }
 
 glm::vec3 VertexShading::eye_normal(const glm::vec4& normal) const
@@ -148,8 +154,7 @@ void VertexShading::texture(int unit, const CurrentAttributes& attributes, const
         else if (texture.generation[i] == GL_SPHERE_MAP)
             s[i] = sphere[i];
     }
-    vertex.varyings.texture[unit] =
-        texture.matrix ? columns_times(texturing_values_, base + MATRIX, s) : s;
+    vertex.varyings.texture[unit] = texture.matrix ? columns_times(texturing_values_, base + MATRIX, s) : s;
 }
 
 ShadedVertex VertexShading::shade(const CurrentAttributes& attributes) const
@@ -181,8 +186,8 @@ ShadedVertex VertexShading::shade(const CurrentAttributes& attributes) const
         if (key_.textures[unit].format != BaseFormat::none)
             texture(unit, attributes, eye, sphere, vertex);
     if (key_.fog_mode)
-        varyings.fog = key_.fog_coordinate ? attributes[index_of(Attribute::fog_coordinate)].x
-                                           : std::fabs(eye.z);
+        varyings.fog =
+            key_.fog_coordinate ? attributes[index_of(Attribute::fog_coordinate)].x : std::fabs(eye.z);
     vertex.point_size = point_size(eye);
     vertex.edge_flag = attributes[index_of(Attribute::edge_flag)].x != 0;
     return vertex;

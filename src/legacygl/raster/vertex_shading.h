@@ -29,10 +29,11 @@ public:
 
 private:
     ShadedVertex shade(const CurrentAttributes& attributes) const;
+    void fill_lighting_values();
     void set_materials(const std::array<Material, 2>& materials);
     void place(const glm::vec4& position, ShadedVertex& vertex) const;
-    void texture(int unit, const CurrentAttributes& attributes, const glm::vec4& eye,
-                 const glm::vec4& sphere, ShadedVertex& vertex) const;
+    void texture(int unit, const CurrentAttributes& attributes, const glm::vec4& eye, const glm::vec4& sphere,
+                 ShadedVertex& vertex) const;
     glm::vec3 eye_normal(const glm::vec4& normal) const;
     float point_size(const glm::vec4& eye) const;
 

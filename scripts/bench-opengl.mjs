@@ -64,7 +64,7 @@ async function measureBatches(page, clock, names) {
   return times;
 }
 
-export async function measurePage(browserName) {
+async function measurePage(browserName) {
   const server = await serve(PAGE, { isolated: true });
   const browser = await launch(browserName);
   try {

@@ -13,6 +13,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { launch, SITE } from "../tests/page/harness.mjs";
+import { measureOpenGl } from "./bench-opengl.mjs";
 import { serve } from "./serve.mjs";
 
 const OUTPUT = fileURLToPath(new URL("../build/bench.json", import.meta.url));
@@ -114,7 +115,7 @@ function commit() {
 }
 
 function row(name, ...cells) {
-  console.log(name.padEnd(28) + cells.map((cell) => String(cell).padStart(14)).join(""));
+  console.log(name.padEnd(34) + cells.map((cell) => String(cell).padStart(16)).join(""));
 }
 
 async function main() {
@@ -149,7 +150,13 @@ async function main() {
   for (const { name, ...figures } of times) {
     row(name, ...Object.values(figures).map((value, index) => `${value.toFixed(index === 0 ? 0 : 2)} ms`));
   }
-  const result = { date: new Date().toISOString(), commit: commit(), cpu: os.cpus()[0]?.model, rounds, sizes, times };
+  const opengl = await measureOpenGl(rounds, (text) => process.stderr.write(`${text}\n`));
+  console.log();
+  row("OpenGL (medians)", "legacygl", "", "other", "ratio", "target");
+  for (const { name, ours_ms, other, other_ms, ratio, target } of opengl) {
+    row(name, `${ours_ms.toFixed(3)} ms`, other, `${other_ms.toFixed(3)} ms`, ratio.toFixed(2), target === null ? "" : `at most ${target}`);
+  }
+  const result = { date: new Date().toISOString(), commit: commit(), cpu: os.cpus()[0]?.model, rounds, sizes, times, opengl };
   fs.writeFileSync(OUTPUT, `${JSON.stringify(result, null, 2)}\n`);
   console.log("\nwritten to build/bench.json");
 }

@@ -30,35 +30,45 @@ void DisplayList::run(Context& gl) const
     }
 }
 
-std::shared_ptr<const DisplayList> ListStore::find(GLuint name) const
+void ListStore::put(GLuint name, std::shared_ptr<const DisplayList> list)
 {
-    const auto found = lists_.find(name);
-    return found == lists_.end() ? nullptr : found->second;
+    if (name >= LOW) {
+        high_[name] = std::move(list);
+        return;
+    }
+    if (name >= low_.size())
+        low_.resize(std::size_t{name} + 1);
+    low_[name] = std::move(list);
 }
 
 GLuint ListStore::generate(GLsizei range)
 {
     const auto count = static_cast<std::uint64_t>(range);
     std::uint64_t first = 1;
-    for (const auto& [name, list] : lists_) {
+    for (std::uint64_t name = 1; name < low_.size() && name < first + count; ++name)
+        if (low_[name])
+            first = name + 1;
+    for (const auto& [name, list] : high_) {
         if (name >= first + count)
             break;
         if (name >= first)
-            first = static_cast<std::uint64_t>(name) + 1;
+            first = std::uint64_t{name} + 1;
     }
     if (count == 0 || first + count - 1 > 0xffffffffu)
         return 0;
     const auto empty = std::make_shared<const DisplayList>();
     for (std::uint64_t i = 0; i < count; ++i)
-        lists_[static_cast<GLuint>(first + i)] = empty;
+        put(static_cast<GLuint>(first + i), empty);
     return static_cast<GLuint>(first);
 }
 
 void ListStore::erase(GLuint first, GLsizei range)
 {
-    const std::uint64_t end = static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(range);
-    for (auto it = lists_.lower_bound(first); it != lists_.end() && it->first < end;)
-        it = lists_.erase(it);
+    const std::uint64_t end = std::uint64_t{first} + static_cast<std::uint64_t>(range);
+    for (std::uint64_t name = first; name < end && name < low_.size(); ++name)
+        low_[name] = nullptr;
+    for (auto it = high_.lower_bound(first); it != high_.end() && it->first < end;)
+        it = high_.erase(it);
 }
 
 } // namespace legacygl

@@ -98,15 +98,24 @@ class ListStore
 {
 public:
     /// Returns the list, or null. The caller shares it, so that it survives its own deletion.
-    std::shared_ptr<const DisplayList> find(GLuint name) const;
-    bool contains(GLuint name) const { return lists_.contains(name); }
-    void put(GLuint name, std::shared_ptr<const DisplayList> list) { lists_[name] = std::move(list); }
+    std::shared_ptr<const DisplayList> find(GLuint name) const
+    {
+        if (name < low_.size())
+            return low_[name];
+        const auto found = high_.find(name);
+        return found == high_.end() ? nullptr : found->second;
+    }
+    bool contains(GLuint name) const { return find(name) != nullptr; }
+    void put(GLuint name, std::shared_ptr<const DisplayList> list);
     /// Makes range empty lists with names in a row and returns the first; 0 when no such row is free.
     GLuint generate(GLsizei range);
     void erase(GLuint first, GLsizei range);
 
 private:
-    std::map<GLuint, std::shared_ptr<const DisplayList>> lists_;
+    /// Lists by names below LOW, which generated ones are: found at once. Null: there is none.
+    static constexpr GLuint LOW = 1u << 16;
+    std::vector<std::shared_ptr<const DisplayList>> low_;
+    std::map<GLuint, std::shared_ptr<const DisplayList>> high_; ///< By any other name.
 };
 
 } // namespace legacygl

@@ -11,6 +11,9 @@ ListGeometry::ListGeometry(VertexBatch vertices) : batch(std::move(vertices))
                            [](const Primitive& p) { return p.begins && p.ends && p.mode <= GL_POLYGON; }) &&
                std::all_of(batch.unset_before.begin(), batch.unset_before.end(),
                            [](std::uint32_t count) { return count == 0; });
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+        if (batch.format.components[i] == 0)
+            constants |= batch.attributes_set & (1u << i);
     if (drawable)
         make_runs(batch.primitives, runs, indices);
 }

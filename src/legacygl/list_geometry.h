@@ -20,10 +20,12 @@ struct ListGeometry
     /// Whether one draw call says all: every primitive begins and ends here, and no vertex needs a value
     /// that only the caller knows.
     bool drawable = false;
-    VertexBatch batch;
-    std::vector<DrawRun> runs;
-    std::vector<std::uint32_t> indices;
+    /// Attributes that were set but are the same for every vertex, as bits of Attribute.
+    std::uint32_t constants = 0;
     GeometryObject object; ///< The backend's copy, made at the first draw.
+    std::vector<DrawRun> runs;
+    VertexBatch batch;
+    std::vector<std::uint32_t> indices;
 };
 
 } // namespace legacygl

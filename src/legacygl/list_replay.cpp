@@ -42,18 +42,11 @@ glm::vec4 value_of(const VertexBatch& batch, std::uint32_t vertex, int attribute
     return value;
 }
 
-/// Attributes that were set but are the same for every vertex hold for the whole batch.
-void set_constants(Context& gl, const VertexBatch& batch)
+/// Sets the attributes of the mask to what the list left them with.
+void set_attributes(Context& gl, const VertexBatch& batch, std::uint32_t mask)
 {
-    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-        if (was_set(batch, i) && batch.format.components[i] == 0)
-            gl.immediate.attribute(static_cast<Attribute>(i), 4, batch.last[i]);
-}
-
-void set_last(Context& gl, const VertexBatch& batch)
-{
-    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-        if (was_set(batch, i))
+    for (int i = 1; mask >> i != 0; ++i)
+        if (mask & (1u << i))
             gl.immediate.attribute(static_cast<Attribute>(i), i == index_of(Attribute::normal) ? 3 : 4,
                                    batch.last[i]);
 }
@@ -125,12 +118,12 @@ void replay(Context& gl, ListGeometry& geometry)
     const bool drawable = geometry.drawable && !gl.immediate.inside();
     if (drawable)
         gl.flush_vertices();
-    set_constants(gl, batch);
+    set_attributes(gl, batch, geometry.constants);
     if (!drawable)
         replay_vertices(gl, batch);
     else if (!geometry.runs.empty())
         gl.renderer.draw(gl.state, geometry);
-    set_last(gl, batch);
+    set_attributes(gl, batch, batch.attributes_set);
 }
 
 } // namespace legacygl

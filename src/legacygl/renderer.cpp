@@ -71,9 +71,9 @@ const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive,
     const bool same_kind = key_ && !key_->shaded && key_->points == (primitive == PrimitiveClass::points) &&
                            key_->polygon_stipple == stipples(state, primitive) &&
                            key_->flat == takes_one_color(state, color_varies);
-    if (same_kind && !(changed_ & ~matrices) && (!changed_ || matrix_key(state) == matrix_key_))
+    if (same_kind && !(changed_ & ~matrices) && (!changed_ || keeps_length(state) == keeps_length_))
         return *key_;
-    matrix_key_ = matrix_key(state);
+    keeps_length_ = keeps_length(state);
     return use(make_shader_key(state, primitive, color_varies));
 }
 
@@ -90,8 +90,8 @@ const ShaderKey& Renderer::use(const ShaderKey& key)
 std::uint32_t Renderer::attributes_read(const State& state)
 {
     const bool known = !changed_ && key_ && !key_->shaded;
-    const std::uint32_t read = legacygl::attributes_read(
-        known ? *key_ : make_shader_key(state, PrimitiveClass::triangles, true));
+    const std::uint32_t read =
+        legacygl::attributes_read(known ? *key_ : make_shader_key(state, PrimitiveClass::triangles, true));
     return state.raster.unfilled() ? read | 1u << index_of(Attribute::edge_flag) : read;
 }
 
@@ -157,7 +157,7 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
     if (key.lighting && (changed_ & lighting))
         refill(UniformGroup::lighting, lighting_layout::size(key.light_count),
                [&](std::span<glm::vec4> out) { fill_lighting(state.lighting, key, out); });
-    if (key.textured() && (changed_ & (texturing | matrices)))
+    if (key.textured() && (changed_ & texturing))
         refill(UniformGroup::texturing, texturing_layout::SIZE,
                [&](std::span<glm::vec4> out) { fill_texturing(state, out); });
     if (key.reads_fragments() && (changed_ & fragments))
@@ -184,9 +184,8 @@ void Renderer::for_each_program(const State& state, const VertexBatch& batch, st
         return std::pair(run.primitive == PrimitiveClass::points, stipples(state, run.primitive));
     };
     while (!runs.empty()) {
-        const auto end = std::find_if(runs.begin(), runs.end(), [&](const DrawRun& run) {
-            return kind(run) != kind(runs.front());
-        });
+        const auto end = std::find_if(runs.begin(), runs.end(),
+                                      [&](const DrawRun& run) { return kind(run) != kind(runs.front()); });
         const auto count = static_cast<std::size_t>(end - runs.begin());
         draw(prepare(state, key_for(state, runs.front().primitive, batch.varies(Attribute::color))),
              runs.first(count));
@@ -215,9 +214,10 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
                                                      geometry.indices));
-    for_each_program(state, geometry.batch, geometry.runs, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
-        backend_.draw(draw_state, geometry.object.id(), runs);
-    });
+    for_each_program(state, geometry.batch, geometry.runs,
+                     [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+                         backend_.draw(draw_state, geometry.object.id(), runs);
+                     });
 }
 
 /// Returns what ES cannot do itself for some of the primitives; nothing when it can do all.
@@ -227,9 +227,9 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
     const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
     const RasterWork work{raster.unfilled(), wide, raster.line_smooth, raster.point_smooth};
     const bool own_materials = state.lighting.enabled && !batch.material_changes.empty();
-    const bool all = state.transform.clips() || own_materials ||
-                     (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
-                                                 state.lighting.shade_model == GL_FLAT);
+    const bool all =
+        state.transform.clips() || own_materials ||
+        (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);
     const auto needs_work = [&](const Primitive& primitive) {
         switch (class_of(primitive.mode)) {
         case PrimitiveClass::points:
@@ -241,7 +241,7 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
         }
     };
     return std::any_of(batch.primitives.begin(), batch.primitives.end(), needs_work) ? std::optional(work)
-                                                                                   : std::nullopt;
+                                                                                     : std::nullopt;
 }
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work)
@@ -279,8 +279,8 @@ void Renderer::draw_shaded(const State& state, const ShaderKey& shading, const R
         }
         const DrawRun run{draw.primitive, false, 0, draw.count};
         backend_.draw_stream(draw_state_, output.format(),
-                             std::span(output.vertices()).subspan(draw.first * floats, draw.count * floats), {},
-                             {&run, 1});
+                             std::span(output.vertices()).subspan(draw.first * floats, draw.count * floats),
+                             {}, {&run, 1});
         changed_ |= pipeline; // The next draw wants its own.
     }
 }

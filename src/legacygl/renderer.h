@@ -22,7 +22,7 @@ public:
     /// What a command changed, so that the next draw looks at it again.
     enum Change : std::uint32_t
     {
-        matrices = 1,
+        matrices = 1, ///< Modelview and projection; those of textures belong to texturing.
         lighting = 2,
         texturing = 4,
         pipeline = 8,
@@ -63,7 +63,7 @@ private:
     Backend& backend_;
     std::uint32_t changed_ = everything;
     std::optional<ShaderKey> key_; ///< Of the last draw, while nothing changed.
-    std::uint32_t matrix_key_ = 0; ///< What the matrices gave to the key.
+    bool keeps_length_ = false;    ///< What the modelview gave to the key.
     std::unordered_map<ShaderKey, ProgramId, ShaderKeyHash> programs_;
     std::array<Group, UNIFORM_GROUP_COUNT> groups_;
     DrawState draw_state_;

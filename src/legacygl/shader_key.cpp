@@ -41,8 +41,7 @@ void add_lighting(const State& state, ShaderKey& key)
 
 bool is_identity(const Matrix& matrix)
 {
-    static const Matrix identity;
-    return std::memcmp(matrix.values(), identity.values(), sizeof(float) * 16) == 0;
+    return std::memcmp(matrix.values(), Matrix().values(), sizeof(float) * 16) == 0;
 }
 
 /// With nearest filters GL_CLAMP is GL_CLAMP_TO_EDGE.
@@ -150,12 +149,9 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool col
     return key;
 }
 
-std::uint32_t matrix_key(const State& state)
+bool keeps_length(const State& state)
 {
-    std::uint32_t key = state.lighting.enabled && state.transform.modelview.top().preserves_length();
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        key = key << 1 | std::uint32_t{is_identity(state.transform.texture[unit].top())};
-    return key;
+    return state.lighting.enabled && state.transform.modelview.top().preserves_length();
 }
 
 ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,

@@ -127,9 +127,8 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool col
 ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,
                           bool polygon_stipple);
 
-/// Returns what the matrices give to the key of the state: while this and all other state stays, so does the
-/// key.
-std::uint32_t matrix_key(const State& state);
+/// Returns what the modelview gives to the key of the state: while this and all else stays, so does the key.
+bool keeps_length(const State& state);
 
 /// Which attributes the shader of the key reads, as bits of Attribute.
 std::uint32_t attributes_read(const ShaderKey& key);

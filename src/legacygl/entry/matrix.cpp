@@ -18,9 +18,15 @@ template <class T> Values floats(const T* m)
     return out;
 }
 
+void matrix_changed(Context& gl)
+{
+    gl.renderer.changed(gl.state.transform.matrix_mode == GL_TEXTURE ? Renderer::texturing
+                                                                     : Renderer::matrices);
+}
+
 Matrix& top(Context& gl)
 {
-    gl.renderer.changed(Renderer::matrices);
+    matrix_changed(gl);
     return gl.current_matrix_stack().top();
 }
 
@@ -166,7 +172,7 @@ void glPopMatrix()
     dispatch(__func__, [](Context& gl) {
         if (!gl.current_matrix_stack().pop())
             return gl.set_error(GL_STACK_UNDERFLOW);
-        gl.renderer.changed(Renderer::matrices);
+        matrix_changed(gl);
     });
 }
 

@@ -1,6 +1,11 @@
 #pragma once
 
 #include "app/assets.h"
+#include "app/frame.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace scene_test {
 
@@ -43,6 +48,67 @@ inline app::Assets assets()
         all.texture.pixels.push_back(static_cast<std::uint8_t>(10 * i));
     }
     return all;
+}
+
+/// Holds particles to be seen by views.
+struct Particles
+{
+    explicit Particles(std::size_t count) : one(count, 1.0f), age(count, 0.25f), ramp(256)
+    {
+        for (std::size_t i = 0; i < count; ++i) {
+            x.push_back(0.1f * static_cast<float>(i));
+        }
+        for (std::size_t i = 0; i < ramp.size(); ++i) {
+            ramp[i] = {static_cast<std::uint8_t>(i), 20, 30, 200};
+        }
+    }
+
+    /// Returns a view: velocity (1, 1, 1), a quarter of a life of 1 s is over.
+    particles::ParticleView view() const
+    {
+        particles::ParticleView view{x, one, one, one, one, one, age, one, ramp, {0.1f, 0.3f}};
+        view.streak_time = 0.1f;
+        return view;
+    }
+
+    std::vector<float> x, one, age;
+    std::vector<particles::Rgba> ramp;
+};
+
+/// Returns a frame in which there is one of everything that can be drawn: two tanks, spheres of both levels,
+/// penetrated and not, a line with closest points, triangles, a shot, an axis, and particles of both kinds,
+/// which `of` holds.
+inline app::Frame full_frame(const app::Assets& all, const Particles& of)
+{
+    app::State state;
+    state.show.detail = app::Detail::both;
+    state.show.wireframe = true;
+    state.projectile.probe = app::Probe::line;
+    state.projectile.handle = app::Handle::line_a;
+    state.show.axis = app::AxisShown::turret;
+    app::Frame frame = app::make_frame(state, all);
+    const auto sphere = [&](double x, double radius, bool is_root, bool is_penetrated) {
+        frame.spheres[frame.sphere_count++] = {.centre = {x, 1.0, 0.5},
+                                               .radius = radius,
+                                               .is_root = is_root,
+                                               .part = tank::Part::body,
+                                               .is_penetrated = is_penetrated};
+    };
+    sphere(0.25, 1.5, false, true);
+    sphere(0.5, 4.0, true, true);
+    sphere(0.75, 1.25, false, false);
+    sphere(1.0, 1.0, false, true);
+    frame.closest_points[frame.closest_point_count++] = {{1, 2, 3}, {0, 1, 0}, true};
+    frame.closest_points[frame.closest_point_count++] = {{1, 2, 2}, {0, 1, 1}, false};
+    frame.triangles[frame.triangle_count++] = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0.1, 0.1, 0}, true};
+    frame.shot = {.flies = true, .position = {2, 2, 2}, .velocity = {-10, 0, 0}, .radius = 0.1};
+    for (particles::TextureKind texture :
+         {particles::TextureKind::soft_dot, particles::TextureKind::streak}) {
+        particles::ParticleView& view = frame.particles[frame.particle_view_count++] = of.view();
+        view.texture = texture;
+    }
+    frame.particles[1].blending = particles::Blending::over;
+    return frame;
 }
 
 } // namespace scene_test

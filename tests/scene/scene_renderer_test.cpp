@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
+#include <string>
+#include <tuple>
 
 #include <GL/gl.h>
 #include <gtest/gtest.h>
@@ -178,6 +180,92 @@ TEST_F(SceneRenderer, AllocatesNothingInAFrame)
     const std::size_t before = allocation_count();
     renderer.draw(frame, 640, 400);
     EXPECT_EQ(allocation_count(), before);
+}
+
+TEST_F(SceneRenderer, AllocatesAndCompilesNothingForAFrameWithEverythingInIt)
+{
+    const scene_test::Particles particles(5000);
+    const app::Frame frame = scene_test::full_frame(assets, particles);
+    recording_gl::record(false);
+    const std::size_t before = allocation_count();
+    renderer.draw(frame, 640, 400);
+    EXPECT_EQ(allocation_count(), before);
+    recording_gl::record(true);
+    renderer.draw(frame, 640, 400);
+    for (const Call& call : recording_gl::take_calls()) {
+        for (const char* name : {"glGenLists", "glNewList", "gluSphere", "glGenTextures", "glTexImage2D"}) {
+            EXPECT_NE(call.name, name);
+        }
+    }
+}
+
+TEST_F(SceneRenderer, LeavesOpenGlAtRestWhateverItDraws)
+{
+    const scene_test::Particles particles(3);
+    const recording_gl::Replay before = replay(draw());
+    renderer.draw(scene_test::full_frame(assets, particles), 640, 400);
+    const recording_gl::Replay after = replay(recording_gl::take_calls());
+    EXPECT_EQ(after.final_enabled, before.final_enabled);
+    EXPECT_EQ(after.final_enabled,
+              (std::vector<unsigned>{GL_DEPTH_TEST, GL_NORMALIZE, GL_LIGHT0, GL_LIGHT1}));
+    EXPECT_TRUE(after.final_depth_writes);
+    EXPECT_EQ(after.final_stack_depth, 0u);
+    EXPECT_FALSE(after.popped_too_often);
+    for (const auto& [name, expected] : recording_gl::Settings{
+             {"glBlendFunc", {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}},
+             {"glDepthFunc", {GL_LEQUAL}},
+             {"glDepthMask", {GL_TRUE}},
+             {"glCullFace", {GL_BACK}},
+             {"glLineWidth", {1.0}},
+             {"glMatrixMode", {GL_MODELVIEW}},
+         }) {
+        EXPECT_EQ(after.final_settings.at(name), expected) << name;
+    }
+    for (unsigned array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY}) {
+        EXPECT_EQ(after.final_settings.count("array " + std::to_string(array)), 0u);
+    }
+}
+
+TEST_F(SceneRenderer, DrawsTheTankTheSameWhateverElseIsDrawn)
+{
+    const auto tank_calls = [&](const app::Frame& frame) {
+        renderer.draw(frame, 640, 400);
+        std::vector<ListCall> calls = replay(recording_gl::take_calls()).list_calls;
+        std::erase_if(calls, [&](const ListCall& call) { return !is_of_tank(call); });
+        return calls;
+    };
+    const scene_test::Particles particles(3);
+    app::Frame full = scene_test::full_frame(assets, particles);
+    full.wireframe = false;
+    const std::vector<ListCall> alone = tank_calls(app::make_frame(state, assets));
+    tank_calls(full); // what it leaves behind, the next frame finds
+    const std::vector<ListCall> among = tank_calls(full);
+    ASSERT_EQ(among.size(), alone.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        EXPECT_EQ(among[i].modelview, alone[i].modelview);
+        EXPECT_EQ(among[i].enabled, alone[i].enabled);
+        EXPECT_EQ(among[i].settings.at("glBlendFunc"), alone[i].settings.at("glBlendFunc"));
+        EXPECT_TRUE(among[i].depth_writes);
+    }
+}
+
+TEST_F(SceneRenderer, DrawsTheLevelThatTheFrameSays)
+{
+    const auto count = [&](const std::vector<ListCall>& calls, bool low) {
+        return std::count_if(calls.begin(), calls.end(), [&](const ListCall& call) {
+            const auto body = tank::MeshKind::body;
+            const scene::TankLists& lists = renderer.tank_lists();
+            return call.list == (low ? lists.low_list(body) : lists.list(body));
+        });
+    };
+    for (const auto& [detail, high, low] :
+         {std::tuple(app::Detail::high, 1, 0), std::tuple(app::Detail::low, 0, 1),
+          std::tuple(app::Detail::both, 1, 1)}) {
+        state.show.detail = detail;
+        const std::vector<ListCall> calls = replay(draw()).list_calls;
+        EXPECT_EQ(count(calls, false), high);
+        EXPECT_EQ(count(calls, true), low);
+    }
 }
 
 TEST_F(SceneRenderer, UploadsTheTextureWithFourBytesAPixelAndMipmaps)

@@ -24,7 +24,7 @@ function bar({ radius, distance, inside }) {
 /** Returns what was found of one sphere. */
 function sphere(title, test, isLine, level) {
   const numbers = [`${metres(test.distance)} from the centre, radius ${metres(test.radius)}`, `centre ${place(test.centre)}`];
-  if (isLine) numbers.push(`closest point ${place(test.closest_point)} at parameter ${Number(test.parameter.toFixed(3))}`);
+  if (isLine) numbers.push(`closest point ${place(test.closest_point)} at t = ${Number(test.parameter.toFixed(3))}`);
   return element(
     "div",
     `level ${level}${test.inside ? " is-inside" : ""}`,
@@ -56,7 +56,7 @@ const JOINS = { segment: "to", ray: "through", line: "and" };
 function probeText({ probe, from, to, radius }) {
   if (probe === "point") return `Point ${place(from)}${radius > 0 ? ` with radius ${metres(radius)}` : ""}`;
   const name = probe[0].toUpperCase() + probe.slice(1);
-  return `${name} ${probe === "line" ? "through" : "from"} A ${place(from)} ${JOINS[probe]} B ${place(to)}`;
+  return `${name} ${probe === "line" ? "through" : "from"} A ${place(from)} ${JOINS[probe]} B ${place(to)}; t is 0 at A, 1 at B`;
 }
 
 /** Shows a report, or that nothing is tested, in an element. */

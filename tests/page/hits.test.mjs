@@ -101,7 +101,7 @@ test("by keyboard a line is chosen and moved; its closest points and parameters 
     await page.focus('#hits input[value="point"]');
     await page.keyboard.press("ArrowRight");
     await page.waitForFunction(() => tanklab.state().probe === "segment");
-    await page.waitForFunction(() => /closest point \(.*\) at parameter 0\.\d+/.test(document.querySelector("#hits .numbers")?.innerText));
+    await page.waitForFunction(() => /closest point \(.*\) at t = 0\.\d+/.test(document.querySelector("#hits .numbers")?.innerText));
     await page.keyboard.press("Escape");
     for (const probe of ["ray", "line", "none", "point", "segment"]) {
       await page.keyboard.press("KeyY");

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -32,15 +33,24 @@ constexpr std::string_view level_name(Level level)
 /// reading.
 struct Assets
 {
-    tank::Layout layout;
-    std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> high; ///< by tank::index_of(MeshKind)
-    std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> low;
-    mesh::Image texture;
+    tank::Layout layout = tank::default_layout();
+    std::optional<tank::Layout> low_layout = {}; ///< of the low meshes, where it is another one
+    std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> high = {}; ///< by tank::index_of(MeshKind)
+    std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> low = {};  ///< without faces when there is no low model
+    mesh::Image texture = {};
     double wheel_radius = 0.0; ///< metres: how far the wheel's mesh reaches from its axle
+    bool has_low_model = true; ///< else the high one is drawn in its place
+    bool is_one_sided = true;  ///< no face is seen from behind; else its back is drawn, too
+    double scale = 1.0;        ///< metres for a unit of the files; positions and layouts are in metres
 
+    /// Returns the meshes that are drawn at a level, and how they are assembled.
     const std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT>& meshes(Level level) const
     {
-        return level == Level::high ? high : low;
+        return level == Level::high || !has_low_model ? high : low;
+    }
+    const tank::Layout& layout_of(Level level) const
+    {
+        return level == Level::low && low_layout ? *low_layout : layout;
     }
 };
 
@@ -52,7 +62,9 @@ struct MeshFile
     std::string_view name; ///< without a folder, such as "tankbodyLow.obj"
 };
 
-/// Returns the one table of OBJ files that make a tank: ten, all needed, under the lab's names.
+constexpr std::size_t MESH_FILE_COUNT = LEVEL_COUNT * tank::MESH_KIND_COUNT;
+
+/// Returns the one table of OBJ files that make a tank: ten, under the lab's names, the high ones first.
 std::span<const MeshFile> mesh_files();
 
 /// Returns the names that the texture may have; the first one that is there is used.
@@ -64,6 +76,9 @@ struct AssetFile
     std::string_view name; ///< folders before the last / or \ and upper or lower case make no difference
     std::span<const std::uint8_t> bytes;
 };
+
+/// Returns how far the wheel's mesh reaches from its axle. Metres.
+double wheel_radius(const Assets& assets);
 
 /// Reads the ten meshes and the texture and lays them out by tank::default_layout(). Other files are ignored.
 /// Errors: files that are missing, all named in one; a name given twice; whatever is wrong inside a file,

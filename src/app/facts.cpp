@@ -178,13 +178,13 @@ std::vector<Fact> facts(const Simulation& simulation)
         facts.push_back({"Level", std::string(level_name(level))});
         facts.push_back({"Triangles", std::to_string(triangles(simulation, level))});
         add_hits(facts, simulation);
-        return facts;
-    }
-    const Task& task = tasks()[*simulation.state().task];
-    if (task.kind == TaskKind::figure) {
+    } else if (const Task& task = tasks()[*simulation.state().task]; task.kind == TaskKind::figure) {
         add_of_figure(facts, simulation, task.id);
     } else {
         add_of_task(facts, simulation, task.id);
+    }
+    if (simulation.assets().scale != 1.0) {
+        facts.push_back({"Tank", "your own, scaled by " + factor_text(simulation.assets().scale)});
     }
     return facts;
 }

@@ -17,6 +17,7 @@ struct Fact
 
 /// Returns what shows live that the state's task is done: for tasks and figures about spheres and the
 /// projectile what is tested and penetrated, for those about levels distances and triangles, and so on.
+/// Of a tank that the user brought, by which factor it is scaled.
 /// Without a task: the level, the triangles drawn and, if something is tested, what is penetrated.
 std::vector<Fact> facts(const Simulation& simulation);
 

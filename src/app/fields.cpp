@@ -27,6 +27,7 @@ constexpr std::array<std::string_view, 2> OFF_ON = {"off", "on"};
 constexpr std::array<std::string_view, 5> PROBES = {"none", "point", "segment", "ray", "line"};
 constexpr std::array<std::string_view, 3> HANDLES = {"point", "line_a", "line_b"};
 constexpr std::array<std::string_view, 5> SPHERES = {"off", "penetrated", "whole", "parts", "all"};
+constexpr std::array<std::string_view, 2> TANKS = {"lab", "own"};
 constexpr std::array<std::string_view, 2> FITS = {"average", "smallest"};
 constexpr std::array<std::string_view, 4> DETAILS = {"auto", "high", "low", "both"};
 constexpr std::array<std::string_view, 6> PARTS = {"all",      "body",          "turret",
@@ -260,6 +261,7 @@ std::array<Field, FIELD_COUNT> make_fields()
         choice_field(axis, "axis", "Axis drawn", Group::picture, AXES, 0, in_show<&Show::axis>()),
         choice_field(wireframe, "wireframe", "Wireframe", Group::picture, OFF_ON, 0,
                      in_show<&Show::wireframe>()),
+        choice_field(tank, "tank", "Whose tank", Group::picture, TANKS, 0, in_state<&State::tank>()),
     }};
 }
 
@@ -297,6 +299,9 @@ const Field* find_field(std::string_view name)
 
 bool matters_to_replay(const Field& field)
 {
+    if (field.id == FieldId::tank) {
+        return true; // what is met on the way are its spheres
+    }
     switch (field.group) {
     case Group::picture:
     case Group::camera:

@@ -55,9 +55,10 @@ enum class FieldId : std::uint8_t
     parts,
     axis,
     wireframe,
+    tank,
 };
 
-constexpr std::size_t FIELD_COUNT = 40;
+constexpr std::size_t FIELD_COUNT = 41;
 
 /// Says how a field is written for people, and how fine.
 /// One unit has 10^decimals steps of the grid; a step is numerator / denominator in the state's own unit

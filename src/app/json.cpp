@@ -7,6 +7,7 @@
 #include "app/frame.h"
 #include "app/links.h"
 #include "app/measures.h"
+#include "mesh/obj_reader.h"
 
 namespace app {
 
@@ -202,6 +203,7 @@ std::string state_json(const Simulation& simulation)
     json.begin_object();
     write_state(json, simulation.state());
     json.key("level").string(level_name(simulation.frame().tanks[0].level));
+    json.key("has_own_tank").boolean(simulation.has_own_tank());
     json.key("hits").begin_object();
     write_hits(json, simulation);
     json.end_object();
@@ -278,6 +280,20 @@ std::string asset_manifest_json()
     json.end_array().key("texture").begin_array();
     for (std::string_view name : texture_file_names()) {
         json.string(name);
+    }
+    json.end_array();
+    json.key("largest_mesh").number(std::uint64_t{mesh::max_obj_bytes});
+    json.key("largest_texture").number(std::uint64_t{mesh::max_image_file_bytes});
+    json.end_object();
+    return json.take();
+}
+
+std::string tank_brought_json(std::string_view error, std::span<const std::string> notes)
+{
+    JsonWriter json;
+    json.begin_object().key("error").string(error).key("notes").begin_array();
+    for (const std::string& note : notes) {
+        json.string(note);
     }
     json.end_array().end_object();
     return json.take();

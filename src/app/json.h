@@ -16,7 +16,8 @@ namespace app {
 /// or null); `level`: "high" or "low", the model that is drawn, or null without assets.
 std::string state_json(const State& state, const Assets* assets);
 
-/// Returns the same for a running simulation, and besides: `hits`, as hits_json() but without its log;
+/// Returns the same for a running simulation, and besides: `has_own_tank` (whether the user has brought one,
+/// whether or not the state's `tank` asks for it); `hits`, as hits_json() but without its log;
 /// `event` (none, open or fire), `shot` (where it is, or null), `inside` (the parts whose spheres the
 /// projectile is inside of), `touches`, `sparks` (how many are alight), `level_switches`, `hash`
 /// (Simulation::hash() in hexadecimal); and `evidence`,
@@ -41,8 +42,11 @@ void write_task(JsonWriter& json, const Task& task);
 /// Returns texts as a JSON array of strings, such as the messages of a link.
 std::string strings_json(std::span<const std::string> texts);
 
-/// Returns the files that read_assets() needs as {"meshes": [names], "texture": [names, of which one is
-/// enough]}.
+/// Returns the files that make a tank as {"meshes": [names, the high ones first], "texture": [names, of which
+/// one is enough], "largest_mesh": bytes, "largest_texture": bytes}: longer files are refused when read.
 std::string asset_manifest_json();
+
+/// Returns what came of a user's own tank as {"error": sentence or "", "notes": [sentences]}.
+std::string tank_brought_json(std::string_view error, std::span<const std::string> notes);
 
 } // namespace app

@@ -15,4 +15,8 @@ std::string in_metres(double metres);
 /// Returns "(1, 2.5, -0.25)".
 std::string in_metres(const glm::dvec3& point);
 
+/// Returns a factor with four digits that count, such as "0.04369", and at most nine decimals.
+/// Precondition: positive, at most a million.
+std::string factor_text(double factor);
+
 } // namespace app

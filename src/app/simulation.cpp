@@ -18,7 +18,8 @@ bool same_probe(const Projectile& one, const Projectile& other)
 
 } // namespace
 
-Simulation::Simulation(const Assets& assets) : assets_(&assets), spheres_(assets), triangles_(assets)
+Simulation::Simulation(const Assets& assets)
+    : lab_(&assets), assets_(&assets), spheres_(assets), triangles_(assets)
 {
     update_level(true);
     begin_event();
@@ -47,6 +48,34 @@ void Simulation::step()
     meet();
 }
 
+void Simulation::bring(const Assets* own)
+{
+    own_ = own;
+    if (choose_tank()) {
+        ++state_.revision.count;
+        update_report(false);
+        if (state_.event.kind == EventKind::none) {
+            begin_event();
+        } else {
+            replay();
+        }
+    }
+}
+
+/// Makes the tank that the state asks for the one that is shown. Returns whether it is another one now.
+bool Simulation::choose_tank()
+{
+    const Assets* chosen = state_.tank == TankShown::own && own_ != nullptr ? own_ : lab_;
+    if (chosen == assets_) {
+        return false;
+    }
+    assets_ = chosen;
+    spheres_ = TankSpheres(*assets_);
+    spheres_.refit(state_);
+    triangles_ = TankTriangles(*assets_);
+    return true;
+}
+
 LinkResult Simulation::open_link(std::string_view fragment)
 {
     const State before = state_;
@@ -58,7 +87,8 @@ LinkResult Simulation::open_link(std::string_view fragment)
 /// Brings everything up to date after the state has changed.
 void Simulation::follow(const State& before)
 {
-    const bool has_moved = spheres_.refit(state_);
+    const bool is_other_tank = choose_tank();
+    const bool has_moved = spheres_.refit(state_) || is_other_tank;
     const bool is_opened = state_.revision.openings != before.revision.openings;
     const bool is_asked = state_.revision.prints != before.revision.prints;
     const bool is_other_test = state_.show.triangles != before.show.triangles;
@@ -71,15 +101,8 @@ void Simulation::follow(const State& before)
         set_up_particles();
     }
     if (is_opened) {
-        // What the link has under way happens again, from its event on.
-        const std::uint32_t age = state_.event.age;
-        app::begin_event(state_, state_.event.kind, 0);
-        state_.tick = 0;
-        begin_event();
-        for (std::uint32_t tick = 0; tick < age; ++tick) {
-            step();
-        }
-    } else if (state_.seed != before.seed) {
+        replay();
+    } else if (is_other_tank || state_.seed != before.seed) {
         begin_event();
     } else if (before.shot.flies && !state_.shot.flies) {
         // The projectile is back where it rests, and stays inside of what it is inside of there.
@@ -87,6 +110,18 @@ void Simulation::follow(const State& before)
         if (state_.projectile.probe == Probe::point) {
             contacts_.place(state_.projectile.point, state_.projectile.radius, spheres_.hierarchy());
         }
+    }
+}
+
+/// Lets what the state has under way happen again, from its event on.
+void Simulation::replay()
+{
+    const std::uint32_t age = state_.event.age;
+    app::begin_event(state_, state_.event.kind, 0);
+    state_.tick = 0;
+    begin_event();
+    for (std::uint32_t tick = 0; tick < age; ++tick) {
+        step();
     }
 }
 

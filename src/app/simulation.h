@@ -36,11 +36,22 @@ public:
     /// Advances by one tick: see app::step().
     void step();
 
+    /// Takes the tank that the user brought, or none, in place of the one before; the state that asks for it
+    /// gets it, and what a link has under way is replayed with it. `own` must outlive this.
+    void bring(const Assets* own);
+
     /// Opens a fragment: see app::open_link(). What a link has under way is replayed.
     LinkResult open_link(std::string_view fragment);
 
     const State& state() const { return state_; }
+
+    /// Returns the data of the tank that is shown.
     const Assets& assets() const { return *assets_; }
+
+    /// Returns whether the user has brought a tank, and whether the state asks for one that is not there.
+    bool has_own_tank() const { return own_ != nullptr; }
+    bool lacks_own_tank() const { return state_.tank == TankShown::own && own_ == nullptr; }
+
     const TankSpheres& spheres() const { return spheres_; }
 
     /// Returns how the probe was tested, as it is now.
@@ -70,13 +81,17 @@ public:
 
 private:
     void follow(const State& before);
+    bool choose_tank();
+    void replay();
     void begin_event();
     void set_up_particles();
     void update_level(bool is_opened);
     void meet();
     void update_report(bool is_asked);
 
-    const Assets* assets_;
+    const Assets* lab_;
+    const Assets* own_ = nullptr;
+    const Assets* assets_; ///< one of the two
     State state_;
     TankSpheres spheres_;
     TankTriangles triangles_;

@@ -56,6 +56,14 @@ constexpr std::size_t MAXIMUM_HELD_COMMANDS = 128;
 constexpr std::uint64_t FIRST_SEED = 1;
 constexpr std::uint64_t LAST_SEED = 999'999;
 
+/// Says whose tank is shown: the program's, or the one that the user brought. As long as there is none, the
+/// program's takes its place.
+enum class TankShown : std::uint8_t
+{
+    lab,
+    own,
+};
+
 /// Holds everything that can change while the program runs, as plain data: copy it, compare it, hash it.
 /// Only apply(), step() and open_link() change one that is in use; each change counts up the revision.
 struct State
@@ -63,6 +71,7 @@ struct State
     tank::JointAngles joints; ///< within tank::joint_limits
     double x = 0.0;           ///< the tank's position on the ground, metres
     double z = 0.0;
+    TankShown tank = TankShown::lab;
     Camera camera;
     Projectile projectile;
     Show show;

@@ -1,5 +1,7 @@
 #include "platform/asset_files.h"
 
+#include "app/asset_sources.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
@@ -17,35 +19,18 @@ namespace fs = std::filesystem;
 /// No mesh or texture comes near this; what does is not one, and must not take all memory.
 constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{256} << 20;
 
+/// How deep the files may lie, and among how many others.
+constexpr int DEEPEST_FOLDER = 8;
+constexpr int MOST_ENTRIES = 100'000;
+
+/// Archives that a Mac has packed hold a copy of each name in here that is no copy of the file.
+constexpr std::string_view MAC_FOLDER = "__MACOSX";
+
 struct FileContent
 {
     std::string path;
     std::vector<std::uint8_t> bytes;
 };
-
-std::string lower_case(std::string text)
-{
-    for (char& letter : text) {
-        if (letter >= 'A' && letter <= 'Z') {
-            letter = static_cast<char>(letter - 'A' + 'a');
-        }
-    }
-    return text;
-}
-
-/// Tells whether read_assets() has a use for a file of this name.
-bool is_wanted(const std::string& name)
-{
-    const std::string lower = lower_case(name);
-    const auto matches = [&lower](std::string_view wanted) {
-        return lower_case(std::string(wanted)) == lower;
-    };
-    const auto meshes = app::mesh_files();
-    const auto textures = app::texture_file_names();
-    return std::any_of(meshes.begin(), meshes.end(),
-                       [&](const app::MeshFile& file) { return matches(file.name); }) ||
-           std::any_of(textures.begin(), textures.end(), matches);
-}
 
 /// Reads a whole file. Returns "" or why it cannot be read.
 std::string read_file(const fs::path& path, std::vector<std::uint8_t>& bytes)
@@ -73,20 +58,50 @@ std::string read_file(const fs::path& path, std::vector<std::uint8_t>& bytes)
     return failed ? path.string() + ": cannot be read: " + cause : "";
 }
 
-/// Appends the wanted files of one folder, in the order of their names.
-std::string read_wanted_files(const fs::path& folder, std::vector<FileContent>& files)
+/// Appends the paths of the wanted files in a folder and, `depth` levels down, in those in it, in the order
+/// of their names. What may not be looked into is passed by.
+std::string find_wanted_files(const fs::path& folder, int depth, std::vector<fs::path>& paths,
+                              int& entries_left)
 {
     std::error_code fault;
-    std::vector<fs::path> paths;
+    std::vector<fs::path> found;
+    std::vector<fs::path> folders;
     for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
-        if (is_wanted(entry->path().filename().string())) {
-            paths.push_back(entry->path());
+        if (--entries_left < 0) {
+            return folder.string() + ": there are too many files; name the folder of the tank's own files";
+        }
+        const std::string name = entry->path().filename().string();
+        std::error_code ignored;
+        if (app::is_asset_name(name)) {
+            found.push_back(entry->path());
+        } else if (depth > 0 && name != MAC_FOLDER && entry->is_directory(ignored) &&
+                   !entry->is_symlink(ignored)) {
+            folders.push_back(entry->path());
         }
     }
     if (fault) {
         return folder.string() + ": the folder cannot be read: " + fault.message();
     }
-    std::sort(paths.begin(), paths.end());
+    std::sort(found.begin(), found.end());
+    std::sort(folders.begin(), folders.end());
+    paths.insert(paths.end(), found.begin(), found.end());
+    for (const fs::path& below : folders) {
+        const std::string error = find_wanted_files(below, depth - 1, paths, entries_left);
+        if (entries_left < 0) {
+            return error;
+        }
+    }
+    return "";
+}
+
+/// Reads the wanted files of a folder, `depth` levels down. Returns "" or what cannot be read.
+std::string read_wanted_files(const fs::path& folder, int depth, std::vector<FileContent>& files)
+{
+    std::vector<fs::path> paths;
+    int entries_left = MOST_ENTRIES;
+    if (std::string error = find_wanted_files(folder, depth, paths, entries_left); !error.empty()) {
+        return error;
+    }
     for (const fs::path& path : paths) {
         files.push_back({path.string(), {}});
         if (std::string error = read_file(path, files.back().bytes); !error.empty()) {
@@ -94,6 +109,16 @@ std::string read_wanted_files(const fs::path& folder, std::vector<FileContent>& 
         }
     }
     return "";
+}
+
+std::vector<app::AssetFile> views_of(const std::vector<FileContent>& contents)
+{
+    std::vector<app::AssetFile> files;
+    files.reserve(contents.size());
+    for (const FileContent& content : contents) {
+        files.push_back({content.path, content.bytes});
+    }
+    return files;
 }
 
 /// Returns the folder `assets` that comes with the program, or "".
@@ -120,22 +145,10 @@ std::string find_own_folder()
 std::string read_asset_folder(const std::string& folder, app::Assets& assets)
 {
     std::vector<FileContent> contents;
-    if (std::string error = read_wanted_files(folder, contents); !error.empty()) {
+    if (std::string error = read_wanted_files(folder, 1, contents); !error.empty()) {
         return error;
     }
-    const fs::path meshes = fs::path(folder) / "tankobjs";
-    std::error_code ignored;
-    if (fs::is_directory(meshes, ignored)) {
-        if (std::string error = read_wanted_files(meshes, contents); !error.empty()) {
-            return error;
-        }
-    }
-    std::vector<app::AssetFile> files;
-    files.reserve(contents.size());
-    for (const FileContent& content : contents) {
-        files.push_back({content.path, content.bytes});
-    }
-    mesh::Result<app::Assets> read = app::read_assets(files);
+    mesh::Result<app::Assets> read = app::read_assets(views_of(contents));
     if (!read) {
         return folder + ": " + read.error().message();
     }
@@ -143,13 +156,27 @@ std::string read_asset_folder(const std::string& folder, app::Assets& assets)
     return "";
 }
 
-std::string read_asset_folder_or_own(const std::string& folder, app::Assets& assets)
+std::string read_tank(const std::string& folder, app::UsersTank& tank)
 {
-    const std::string used = folder.empty() ? find_own_folder() : folder;
-    if (used.empty()) {
-        return "There is no folder 'assets' with the tank's files near the program: name it with --assets.";
+    if (folder.empty()) {
+        const std::string own = find_own_folder();
+        if (own.empty()) {
+            return "There is no folder 'assets' with the tank's files near the program: name it with "
+                   "--assets.";
+        }
+        tank = {};
+        return read_asset_folder(own, tank.assets);
     }
-    return read_asset_folder(used, assets);
+    std::vector<FileContent> contents;
+    if (std::string error = read_wanted_files(folder, DEEPEST_FOLDER, contents); !error.empty()) {
+        return error;
+    }
+    mesh::Result<app::UsersTank> read = app::read_users_tank(views_of(contents));
+    if (!read) {
+        return folder + ": " + read.error().message();
+    }
+    tank = std::move(read).value();
+    return "";
 }
 
 } // namespace platform

@@ -115,7 +115,7 @@ PartCalls find_part_calls(const CheckSubject& subject, std::span<const TankListC
 {
     const glm::dmat4 view = glm::lookAt(camera.eye, camera.centre, camera.up);
     const tank::PartMatrices matrices =
-        tank::part_matrices(subject.assets.layout, {tank.position}, tank.joints);
+        tank::part_matrices(subject.assets.layout_of(tank.level), {tank.position}, tank.joints);
     std::vector<bool> taken(calls.size(), false);
     PartCalls found{};
     for (tank::Part part : tank::ALL_PARTS) {

@@ -2,8 +2,8 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET GLOBAL egl)
 pkg_check_modules(OPENGL REQUIRED IMPORTED_TARGET GLOBAL gl glu)
 
-add_library(platform_files STATIC asset_files.cpp link_argument.cpp log_printer.cpp png_file.cpp)
-target_link_libraries(platform_files PUBLIC app)
+add_library(platform_files STATIC asset_files.cpp log_printer.cpp png_file.cpp)
+target_link_libraries(platform_files PUBLIC platform_link app)
 target_include_directories(platform_files SYSTEM PRIVATE ${STB_INCLUDE_DIR})
 
 # tanklab-render and tanklab-render-reference: one source, two libraries that define the same gl* symbols.

@@ -1,7 +1,9 @@
 #include "platform/program.h"
 
+#include "app/fields.h"
 #include "app/frame.h"
 #include "app/ticks.h"
+#include "platform/users_tank_link.h"
 
 #include <utility>
 
@@ -11,26 +13,58 @@ Program::Program() : clock_(app::TICKS_PER_SECOND) {}
 
 std::string Program::start(app::Assets assets)
 {
-    assets_ = std::move(assets);
-    simulation_.emplace(assets_);
-    std::string fault = renderer_.load(assets_);
+    lab_ = std::move(assets);
+    simulation_.emplace(lab_);
+    std::string fault = renderer_.load(lab_);
     started_ = fault.empty();
     return fault;
 }
 
+std::string Program::bring(app::Assets own)
+{
+    auto brought = std::make_unique<const app::Assets>(std::move(own));
+    drawn_ = false;
+    if (std::string fault = renderer_.load_tank(*brought); !fault.empty()) {
+        renderer_.load_tank(assets()); // it was there before
+        return fault;
+    }
+    simulation_->bring(brought.get());
+    own_ = std::move(brought);
+    return command(app::field(app::FieldId::tank).name, static_cast<double>(app::TankShown::own));
+}
+
+/// Gives the renderer the tank that the state asks for.
+void Program::follow_tank()
+{
+    if (&renderer_.assets() != &assets()) {
+        renderer_.load_tank(assets()); // OpenGL has taken it once
+        drawn_ = false;
+    }
+}
+
+std::vector<std::string> Program::open_link_with(const app::UsersTank& tank, std::string_view fragment)
+{
+    return platform::open_link_with(*simulation_, tank, fragment);
+}
+
 std::vector<std::string> Program::open_link(std::string_view fragment)
 {
-    return simulation_->open_link(fragment).messages;
+    std::vector<std::string> messages = simulation_->open_link(fragment).messages;
+    follow_tank();
+    return messages;
 }
 
 std::string Program::command(std::string_view name, double value)
 {
-    return simulation_->apply(name, value);
+    std::string fault = simulation_->apply(name, value);
+    follow_tank();
+    return fault;
 }
 
 void Program::handle(const SDL_Event& event, WindowSize window)
 {
     input_.handle(event, window, *simulation_);
+    follow_tank();
 }
 
 void Program::advance(double seconds)

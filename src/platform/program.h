@@ -2,11 +2,13 @@
 
 #include "app/assets.h"
 #include "app/simulation.h"
+#include "app/users_tank.h"
 #include "platform/fixed_step_clock.h"
 #include "platform/input.h"
 #include "scene/scene_renderer.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,12 +27,19 @@ public:
     Program(const Program&) = delete; // the simulation points at the assets
     Program& operator=(const Program&) = delete;
 
-    /// Takes the tank's data and makes what drawing needs. A context must be current. Call it once.
-    /// Returns "" or a sentence that says what OpenGL refused.
+    /// Takes the data of the program's own tank and makes what drawing needs. A context must be current. Call
+    /// it once. Returns "" or a sentence that says what OpenGL refused.
     std::string start(app::Assets assets);
 
     /// Returns whether start() has returned "". What is said below of the simulation holds from then on.
     bool started() const { return started_; }
+
+    /// Shows a tank that the user brought, in place of the one before. Returns "" or a sentence that says
+    /// what OpenGL refused; nothing has changed then.
+    std::string bring(app::Assets own);
+
+    /// Opens a fragment with the tank that start() was given: see platform::open_link_with().
+    std::vector<std::string> open_link_with(const app::UsersTank& tank, std::string_view fragment);
 
     /// Opens a fragment and returns the messages about it, one sentence each.
     std::vector<std::string> open_link(std::string_view fragment);
@@ -53,11 +62,16 @@ public:
 
     const app::Simulation& simulation() const { return *simulation_; }
     const app::State& state() const { return simulation_->state(); }
-    const app::Assets& assets() const { return assets_; }
+
+    /// Returns the data of the tank that is shown, which the renderer has.
+    const app::Assets& assets() const { return simulation_->assets(); }
     const scene::SceneRenderer& renderer() const { return renderer_; }
 
 private:
-    app::Assets assets_;
+    void follow_tank();
+
+    app::Assets lab_;
+    std::unique_ptr<const app::Assets> own_;
     std::optional<app::Simulation> simulation_;
     Input input_;
     FixedStepClock clock_;

@@ -12,6 +12,7 @@
 #include "platform/png_file.h"
 #include "platform/render_options.h"
 #include "platform/threshold_measurement.h"
+#include "platform/users_tank_link.h"
 #include "scene/read_pixels.h"
 #include "scene/scene_renderer.h"
 
@@ -88,12 +89,12 @@ int run(int argument_count, char** arguments)
         return fail(start_other_renderer(options.renderer, arguments));
     }
 
-    app::Assets assets;
-    if (std::string error = read_asset_folder_or_own(options.assets, assets); !error.empty()) {
+    app::UsersTank tank;
+    if (std::string error = read_tank(options.assets, tank); !error.empty()) {
         return fail(error);
     }
-    app::Simulation simulation(assets);
-    for (const std::string& message : simulation.open_link(fragment_of(options.link)).messages) {
+    app::Simulation simulation(tank.assets);
+    for (const std::string& message : open_link_with(simulation, tank, fragment_of(options.link))) {
         std::fprintf(stderr, "tanklab-render: %s\n", message.c_str());
     }
     if (draws) {

@@ -141,7 +141,8 @@ const char* render_usage()
            "told\n"
            "                        apart, and prints what it saw at each; without a link, as task 3.2 has\n"
            "                        them, and in 1280x800\n"
-           "  --assets DIR          the folder of the tank's OBJ files and texture\n";
+           "  --assets DIR          the folder of a tank's OBJ files and texture, such as the lab's "
+           "tankobjs\n";
 }
 
 } // namespace platform

@@ -38,7 +38,7 @@ constexpr const char* NOT_STARTED = "The program has not started.";
 
 extern "C" {
 
-/// Gives a file to the program, by its name and bytes, before it starts.
+/// Gives a file to the program, by its name and bytes, for tanklab_start or tanklab_bring_tank.
 EMSCRIPTEN_KEEPALIVE void tanklab_add_file(const char* name, const std::uint8_t* data, std::size_t size)
 {
     page().add_file(name, {data, size});
@@ -48,6 +48,19 @@ EMSCRIPTEN_KEEPALIVE void tanklab_add_file(const char* name, const std::uint8_t*
 EMSCRIPTEN_KEEPALIVE const char* tanklab_start(const char* fragment)
 {
     return kept(page().start(fragment));
+}
+
+/// Returns which files make a tank, and how large they may be, as JSON (app::asset_manifest_json).
+EMSCRIPTEN_KEEPALIVE const char* tanklab_asset_manifest()
+{
+    return kept(app::asset_manifest_json());
+}
+
+/// Reads the files added since as the user's own tank and shows it. Returns what came of it as JSON
+/// (platform::WebPage::bring_tank).
+EMSCRIPTEN_KEEPALIVE const char* tanklab_bring_tank()
+{
+    return kept(program().started() ? page().bring_tank() : app::tank_brought_json(NOT_STARTED, {}));
 }
 
 /// Returns the state as JSON (app::state_json); before the start that of an empty link.

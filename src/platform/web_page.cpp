@@ -1,7 +1,7 @@
 #include "platform/web_page.h"
 
-#include "app/assets.h"
 #include "app/json.h"
+#include "app/users_tank.h"
 #include "platform/capture_json.h"
 
 #include <algorithm>
@@ -55,11 +55,7 @@ std::string WebPage::start(std::string_view fragment)
     if (program_.started()) {
         return "The program runs already.";
     }
-    std::vector<app::AssetFile> files;
-    for (const File& file : files_) {
-        files.push_back({file.name, file.bytes});
-    }
-    mesh::Result<app::Assets> assets = app::read_assets(files);
+    mesh::Result<app::Assets> assets = app::read_assets(views_of_files());
     if (!assets) {
         return assets.error().message();
     }
@@ -81,6 +77,31 @@ std::string WebPage::start(std::string_view fragment)
     last_frame_seconds_ = seconds_now();
     emscripten_request_animation_frame_loop(run_frame, this); // at the display's own rate
     return "";
+}
+
+std::vector<app::AssetFile> WebPage::views_of_files() const
+{
+    std::vector<app::AssetFile> files;
+    for (const File& file : files_) {
+        files.push_back({file.name, file.bytes});
+    }
+    return files;
+}
+
+std::string WebPage::bring_tank()
+{
+    mesh::Result<app::UsersTank> tank = app::read_users_tank(views_of_files());
+    files_.clear();
+    if (!tank) {
+        return app::tank_brought_json(tank.error().message(), {});
+    }
+    const std::vector<std::string> notes = std::move(tank.value().notes);
+    const std::string fault = program_.bring(std::move(tank.value().assets));
+    if (fault.empty()) {
+        draw();
+        report();
+    }
+    return app::tank_brought_json(fault, notes);
 }
 
 int WebPage::run_frame(double, void* page)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/assets.h"
 #include "platform/checks.h"
 #include "platform/program.h"
 #include "platform/web_canvas.h"
@@ -17,12 +18,18 @@ namespace platform {
 class WebPage
 {
 public:
-    /// Keeps a file until start() reads it. A file of the same name is replaced.
+    /// Keeps a file until start() or bring_tank() reads it. A file of the same name is replaced.
     void add_file(std::string_view name, std::span<const std::uint8_t> bytes);
 
     /// Reads the files, opens the canvas and the link, and begins to run.
     /// Returns "" or a sentence that says what is wrong; start() may be called again then, with better files.
     std::string start(std::string_view fragment);
+
+    /// Reads a tank that the user brought from the files added since the start, and shows it, keeping the
+    /// rest of the state. Returns {`error`, `notes`} as JSON: "" or a sentence that says what is wrong, and
+    /// nothing has changed then; and what people should know of the tank, a sentence each. The files are
+    /// forgotten.
+    std::string bring_tank();
 
     Program& program() { return program_; }
 
@@ -47,6 +54,7 @@ private:
     void frame();
     void draw();
     void report();
+    std::vector<app::AssetFile> views_of_files() const;
 
     struct File
     {
@@ -54,7 +62,7 @@ private:
         std::vector<std::uint8_t> bytes;
     };
 
-    std::vector<File> files_; // names differ
+    std::vector<File> files_; // names differ, with their folders
     CheckResults check_results_;
     WebCanvas canvas_;
     Program program_;

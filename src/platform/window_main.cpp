@@ -214,8 +214,8 @@ int run(int argument_count, char** arguments)
         std::fputs(window_usage(), stdout);
         return 0;
     }
-    app::Assets assets;
-    if (std::string error = read_asset_folder_or_own(options.assets, assets); !error.empty()) {
+    app::UsersTank tank;
+    if (std::string error = read_tank(options.assets, tank); !error.empty()) {
         return fail(error);
     }
     Window window;
@@ -223,10 +223,10 @@ int run(int argument_count, char** arguments)
         return fail(error);
     }
     Program program;
-    if (std::string error = program.start(std::move(assets)); !error.empty()) {
+    if (std::string error = program.start(tank.assets); !error.empty()) {
         return fail(error);
     }
-    for (const std::string& message : program.open_link(fragment_of(options.link))) {
+    for (const std::string& message : program.open_link_with(tank, fragment_of(options.link))) {
         std::fprintf(stderr, "tanklab: %s\n", message.c_str());
     }
     run_until_closed(program, window);

@@ -35,7 +35,7 @@ const char* window_usage()
 {
     return "Usage: tanklab [LINK] [--assets DIR]\n"
            "Opens the tank in a window, in the state a link describes, such as '#turret=30&distance=40'.\n"
-           "  --assets DIR  the folder of the tank's OBJ files and texture\n";
+           "  --assets DIR  the folder of a tank's OBJ files and texture, such as the lab's tankobjs\n";
 }
 
 } // namespace platform

@@ -9,6 +9,7 @@
 #include "scene/texture.h"
 
 #include <numbers>
+#include <optional>
 
 #include <GL/gl.h>
 #include <GL/glu.h>
@@ -60,22 +61,36 @@ const char* error_name(GLenum error)
     }
 }
 
+std::string refusal(GLenum error)
+{
+    return std::string("OpenGL could not take the tank's meshes and texture: ") + error_name(error) + ".";
+}
+
 } // namespace
 
 std::string SceneRenderer::load(const app::Assets& assets)
 {
-    assets_ = &assets;
     set_up_state();
-    texture_ = upload_texture(assets.texture);
-    particle_drawing_.load();
-    const bool loaded = tank_lists_.load_tank_objs(assets.high) &&
-                        tank_lists_.load_low_detail_tank_objs(assets.low) && surroundings_.load() &&
-                        shapes_.load();
-    const GLenum error = glGetError();
-    if (loaded && error == GL_NO_ERROR) {
-        return "";
+    if (std::string fault = load_tank(assets); !fault.empty()) {
+        return fault;
     }
-    return std::string("OpenGL could not take the tank's meshes and texture: ") + error_name(error) + ".";
+    particle_drawing_.load();
+    const bool loaded = surroundings_.load() && shapes_.load();
+    const GLenum error = glGetError();
+    return loaded && error == GL_NO_ERROR ? "" : refusal(error);
+}
+
+std::string SceneRenderer::load_tank(const app::Assets& assets)
+{
+    assets_ = &assets;
+    if (texture_ != 0) {
+        glDeleteTextures(1, &texture_);
+    }
+    texture_ = upload_texture(assets.texture);
+    const bool loaded =
+        tank_lists_.load_tank_objs(assets.high) && tank_lists_.load_low_detail_tank_objs(assets.low);
+    const GLenum error = glGetError();
+    return loaded && error == GL_NO_ERROR ? "" : refusal(error);
 }
 
 void SceneRenderer::draw(const app::Frame& frame, int width, int height) const
@@ -97,13 +112,16 @@ void SceneRenderer::draw_tanks(const app::Frame& frame) const
 {
     use_tank_material();
     const Enabled lighting(GL_LIGHTING);
-    const Enabled culling(GL_CULL_FACE);
     const Enabled texture(GL_TEXTURE_2D);
     glBindTexture(GL_TEXTURE_2D, texture_);
+    std::optional<Enabled> culling;
+    if (assets_->is_one_sided) {
+        culling.emplace(GL_CULL_FACE);
+    }
     for (const app::TankInFrame& tank : frame.used_tanks()) {
-        const TankDrawing drawing(tank_lists_, assets_->layout, tank.joints, frame.parts);
+        const TankDrawing drawing(tank_lists_, assets_->layout_of(tank.level), tank.joints, frame.parts);
         const glm::vec3 position(tank.position);
-        if (tank.level == app::Level::low) {
+        if (tank.level == app::Level::low && assets_->has_low_model) {
             drawing.draw_tank_low(position.x, position.y, position.z);
         } else {
             drawing.draw_tank(position.x, position.y, position.z);

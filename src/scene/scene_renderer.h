@@ -21,9 +21,17 @@ public:
     /// Returns "" or a sentence that says what OpenGL refused.
     std::string load(const app::Assets& assets);
 
+    /// Puts another tank in the place of the one before, and deletes what that had. `assets` must outlive
+    /// this renderer, or the next call of this. Returns "" or a sentence that says what OpenGL refused; call
+    /// it again then, with what it takes.
+    std::string load_tank(const app::Assets& assets);
+
     /// Draws a frame into a window of width x height pixels, both at least 1.
     /// Allocates nothing and compiles no list. Precondition: load() returned "".
     void draw(const app::Frame& frame, int width, int height) const;
+
+    /// Returns the data of the tank that was loaded last. Precondition: one was.
+    const app::Assets& assets() const { return *assets_; }
 
     /// Returns the display lists of the tank and of spheres, for those who check what was drawn.
     const TankLists& tank_lists() const { return tank_lists_; }

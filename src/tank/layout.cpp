@@ -75,4 +75,25 @@ Layout default_layout()
     return layout;
 }
 
+MeshBoxes default_boxes()
+{
+    return {{
+        {{-1.780f, 0.000f, -3.765f}, {1.780f, 1.648f, 3.750f}},  // body
+        {{-1.568f, -0.020f, -2.738f}, {1.568f, 2.760f, 1.740f}}, // turret
+        {{-0.405f, 0.115f, 0.940f}, {0.405f, 0.725f, 6.300f}},   // main gun
+        {{-0.338f, -0.037f, -0.580f}, {0.338f, 0.325f, 1.040f}}, // secondary gun
+        {{-0.250f, -0.360f, -0.360f}, {0.250f, 0.360f, 0.360f}}, // wheel
+    }};
+}
+
+Layout scaled(const Layout& layout, double factor)
+{
+    Layout result = layout;
+    for (PartPlacement& placement : result.parts) {
+        placement.pivot = glm::vec3(glm::dvec3(placement.pivot) * factor);
+        placement.mesh_offset = glm::vec3(glm::dvec3(placement.mesh_offset) * factor);
+    }
+    return result;
+}
+
 } // namespace tank

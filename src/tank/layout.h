@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tank/joint.h"
+#include "tank/mesh_box.h"
 #include "tank/part.h"
 
 #include <array>
@@ -37,6 +38,12 @@ struct Layout
 
 /// Returns the layout of our own tank: standing on y = 0, gun along +Z, left along +X.
 Layout default_layout();
+
+/// Returns the boxes of our own meshes, metres: what tells them from any others.
+MeshBoxes default_boxes();
+
+/// Returns a layout whose lengths are `factor` times as long.
+Layout scaled(const Layout& layout, double factor);
 
 /// Calls visit(child) for every part that hangs directly on `parent`, in the order of Part.
 /// Recursing into each child walks the whole tree, as drawing does.

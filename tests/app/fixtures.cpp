@@ -68,20 +68,26 @@ const Assets& tiny_assets()
     return ASSETS;
 }
 
+Files own_files()
+{
+    Files files;
+    const std::filesystem::path folder = std::filesystem::path(REPOSITORY) / "assets";
+    for (const std::filesystem::path& from : {folder, folder / "tankobjs"}) {
+        for (const auto& entry : std::filesystem::directory_iterator(from)) {
+            if (entry.is_regular_file()) {
+                std::ifstream stream(entry.path(), std::ios::binary);
+                files.add(entry.path().filename().string(),
+                          std::string(std::istreambuf_iterator<char>(stream), {}));
+            }
+        }
+    }
+    return files;
+}
+
 const Assets& own_assets()
 {
     static const Assets ASSETS = [] {
-        Files files;
-        const std::filesystem::path folder = std::filesystem::path(REPOSITORY) / "assets";
-        for (const std::filesystem::path& from : {folder, folder / "tankobjs"}) {
-            for (const auto& entry : std::filesystem::directory_iterator(from)) {
-                if (entry.is_regular_file()) {
-                    std::ifstream stream(entry.path(), std::ios::binary);
-                    files.add(entry.path().filename().string(),
-                              std::string(std::istreambuf_iterator<char>(stream), {}));
-                }
-            }
-        }
+        const Files files = own_files();
         mesh::Result<Assets> assets = read_assets(files.views());
         if (!assets) {
             std::abort();

@@ -34,7 +34,8 @@ std::string tiny_tga();
 /// Returns assets read from Files::complete().
 const Assets& tiny_assets();
 
-/// Returns the repository's own tank.
+/// Returns the files of the repository's own tank, and that tank.
+Files own_files();
 const Assets& own_assets();
 
 /// Returns a state with random values of every field, anywhere within the limits and mostly off the grid.

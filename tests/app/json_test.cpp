@@ -128,6 +128,19 @@ TEST(JsonTest, ManifestNamesTenMeshesAndTheTextures)
     EXPECT_EQ(json["meshes"].items.size(), 10u);
     EXPECT_EQ(json["meshes"][0].text, "tankbody.obj");
     EXPECT_EQ(json["texture"].items.size(), 3u);
+    EXPECT_EQ(json["largest_mesh"].number, double(mesh::max_obj_bytes));
+    EXPECT_EQ(json["largest_texture"].number, double(mesh::max_image_file_bytes));
+}
+
+TEST(JsonTest, WhatCameOfAUsersTankIsASentenceOrNotes)
+{
+    const std::vector<std::string> notes = {"It is \"scaled\"."};
+    const JsonValue json = parsed(tank_brought_json("", notes));
+    EXPECT_EQ(json["error"].text, "");
+    ASSERT_EQ(json["notes"].items.size(), 1u);
+    EXPECT_EQ(json["notes"][0].text, notes[0]);
+    EXPECT_EQ(parsed(tank_brought_json("tankbody.obj is missing", {}))["error"].text,
+              "tankbody.obj is missing");
 }
 
 } // namespace

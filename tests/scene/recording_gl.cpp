@@ -264,6 +264,10 @@ void glColorMaterial(GLenum face, GLenum mode)
     note("glColorMaterial", {double(face), double(mode)});
 }
 
+void glDeleteTextures(GLsizei count, const GLuint* names)
+{
+    note("glDeleteTextures", {double(count), double(names[0])});
+}
 void glGenTextures(GLsizei count, GLuint* names)
 {
     note("glGenTextures", {double(count)});

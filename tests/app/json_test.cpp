@@ -1,4 +1,5 @@
 #include "app/json.h"
+#include "mesh/obj_reader.h"
 
 #include "app/commands.h"
 #include "app/fields.h"

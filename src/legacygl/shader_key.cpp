@@ -138,6 +138,7 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive)
     }
     if (state.fragment.alpha_test)
         key.alpha_func = state.fragment.alpha_func;
+    key.both_buffers = state.fragment.draws_front() && state.fragment.draws_back();
     return key;
 }
 
@@ -182,9 +183,9 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
     // FNV-1a over the members; never over the object's memory, which has padding.
     std::uint64_t hash = 14695981039346656037ull;
     const auto mix = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ull; };
-    for (bool b :
-         {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
-          key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points})
+    for (bool b : {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
+                   key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.both_buffers,
+                   key.flat, key.points})
         mix(b);
     mix(key.follows_color);
     mix(key.light_count);

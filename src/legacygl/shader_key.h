@@ -75,6 +75,7 @@ struct ShaderKey
     GLenum fog_mode = 0;         ///< 0: no fog.
     bool fog_coordinate = false; ///< Fog by the vertex's fog coordinate, not its distance.
     GLenum alpha_func = GL_ALWAYS;
+    bool both_buffers = false; ///< The colour goes to the front and to the back.
     bool flat = false;
     bool points = false;
 

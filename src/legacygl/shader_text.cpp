@@ -163,7 +163,10 @@ std::string fragment_text(const ShaderKey& key)
     if (key.textured())
         text += uniforms("texturing", texturing_layout::SIZE);
     text += uniforms("fragments", fragments_layout::SIZE);
-    text += "out vec4 fragment_color;\nvoid main()\n{\n";
+    text += key.both_buffers ? "layout(location = 0) out vec4 fragment_color;\n"
+                               "layout(location = 1) out vec4 front_fragment_color;\n"
+                             : "out vec4 fragment_color;\n";
+    text += "void main()\n{\n";
     text += two_side ? "    vec4 c = gl_FrontFacing ? front_color : back_color;\n"
                      : "    vec4 c = front_color;\n";
     if (key.textured())
@@ -175,6 +178,8 @@ std::string fragment_text(const ShaderKey& key)
         text += fog_text(key);
     if (key.alpha_func != GL_ALWAYS)
         text += alpha_text(key.alpha_func);
+    if (key.both_buffers)
+        text += "    front_fragment_color = c;\n";
     return text + "    fragment_color = c;\n}\n";
 }
 

@@ -18,6 +18,14 @@ template <class T> Values floats(const T* m)
     return out;
 }
 
+template <class T> Values transposed(const T* m)
+{
+    Values out;
+    for (int i = 0; i < 16; ++i)
+        out[i] = static_cast<float>(m[i % 4 * 4 + i / 4]);
+    return out;
+}
+
 Matrix& top(Context& gl)
 {
     gl.renderer.changed(Renderer::matrices);
@@ -94,6 +102,26 @@ void glMultMatrixf(const GLfloat* m)
 void glMultMatrixd(const GLdouble* m)
 {
     multiply(__func__, floats(m));
+}
+
+void glLoadTransposeMatrixf(const GLfloat* m)
+{
+    load(__func__, transposed(m));
+}
+
+void glLoadTransposeMatrixd(const GLdouble* m)
+{
+    load(__func__, transposed(m));
+}
+
+void glMultTransposeMatrixf(const GLfloat* m)
+{
+    multiply(__func__, transposed(m));
+}
+
+void glMultTransposeMatrixd(const GLdouble* m)
+{
+    multiply(__func__, transposed(m));
 }
 
 void glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z)

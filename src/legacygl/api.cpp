@@ -35,7 +35,8 @@ LegacyGLContext* legacygl_create(LegacyGLLoader loader, int width, int height, L
     auto backend = legacygl::make_es3_backend(loader, width, height, target, last_message);
     if (!backend)
         return nullptr;
-    auto* context = new LegacyGLContext(std::move(backend), width, height);
+    const bool single = target == LEGACYGL_TARGET_OWN_SINGLE;
+    auto* context = new LegacyGLContext(std::move(backend), width, height, !single);
     legacygl_make_current(context);
     return context;
 }
@@ -71,6 +72,12 @@ void legacygl_present(LegacyGLContext* context)
 {
     context->flush_vertices();
     context->backend->present();
+}
+
+void legacygl_show_front(LegacyGLContext* context)
+{
+    context->flush_vertices();
+    context->backend->show_front();
 }
 
 void legacygl_context_lost(LegacyGLContext* context)

@@ -3,9 +3,10 @@
 namespace legacygl {
 Context* current_context = nullptr;
 
-Context::Context(std::unique_ptr<Backend> made, int w, int h)
-    : backend(std::move(made)), renderer(*backend), width(w), height(h)
+Context::Context(std::unique_ptr<Backend> made, int w, int h, bool doubled)
+    : backend(std::move(made)), renderer(*backend), width(w), height(h), double_buffered(doubled)
 {
+    state.fragment.draw_buffer = state.fragment.read_buffer = doubled ? GL_BACK : GL_FRONT;
     state.transform.viewport = state.fragment.scissor_box = {0, 0, w, h};
 }
 

@@ -23,7 +23,7 @@ constexpr int MAXIMUM_LIST_NESTING = 64;
 /// One OpenGL: its state, its lists, and what draws for it.
 struct Context
 {
-    Context(std::unique_ptr<Backend> made, int width, int height);
+    Context(std::unique_ptr<Backend> made, int width, int height, bool double_buffered = true);
 
     std::unique_ptr<Backend> backend; ///< First, so that lists and textures can free their objects.
     State state;
@@ -40,6 +40,7 @@ struct Context
     Capture capture;
     int width;
     int height;
+    const bool double_buffered;
 
     /// Notes an error; the first one stays until glGetError (OpenGL 1.5, 2.5).
     void set_error(GLenum code)

@@ -152,6 +152,8 @@ QueryValue query_other(const Context& gl, GLenum name)
         return integer(gl.compiler ? (gl.compiler->executes() ? GL_COMPILE_AND_EXECUTE : GL_COMPILE) : 0);
     case GL_LIST_INDEX:
         return integer(gl.compiler ? gl.compiler->name() : 0);
+    case GL_DOUBLEBUFFER:
+        return QueryValue::boolean(gl.double_buffered);
     case GL_MAX_TEXTURE_SIZE:
         return integer(gl.backend->maximum_texture_size);
     case GL_ATTRIB_STACK_DEPTH:

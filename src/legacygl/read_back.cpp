@@ -19,7 +19,7 @@ PixelRectangle clip_to_frame(const Context& gl, int x, int y, int width, int hei
 std::vector<std::uint8_t> read_frame(Context& gl, const PixelRectangle& r)
 {
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(r.width) * r.height * 4);
-    gl.backend->read_pixels(r.x, r.y, r.width, r.height, rgba);
+    gl.backend->read_pixels(gl.state.fragment.reads_front(), r.x, r.y, r.width, r.height, rgba);
     return rgba;
 }
 

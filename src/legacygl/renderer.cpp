@@ -60,7 +60,12 @@ Pipeline make_pipeline(const State& state)
     p.blend = state.fragment.blend;
     p.polygon_offset = state.raster.polygon_offset_fill;
     p.polygon_offset_factor_units = {state.raster.polygon_offset_factor, state.raster.polygon_offset_units};
-    p.color_mask = state.fragment.color_mask;
+    if (state.fragment.draw_buffer == GL_NONE)
+        p.color_mask = {};
+    else
+        p.color_mask = state.fragment.color_mask;
+    p.draws_front = state.fragment.draws_front();
+    p.draws_back = state.fragment.draws_back();
     p.dither = state.fragment.dither;
     p.line_width = state.raster.line_width;
     return p;

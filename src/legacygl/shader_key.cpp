@@ -146,6 +146,7 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool col
     }
     if (state.fragment.alpha_test)
         key.alpha_func = state.fragment.alpha_func;
+    key.both_buffers = state.fragment.draws_front() && state.fragment.draws_back();
     return key;
 }
 
@@ -163,6 +164,7 @@ ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Co
     key.polygon_stipple = polygon_stipple;
     key.coverage = coverage;
     key.flat = shading.flat;
+    key.both_buffers = shading.both_buffers;
     key.color_sum = shading.secondary();
     key.fog_mode = shading.fog_mode;
     key.fog_coordinate = shading.fog_mode != 0;
@@ -219,7 +221,8 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
     for (bool b :
          {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
           key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points,
-          key.polygon_stipple, key.shaded})
+          key.polygon_stipple, key.shaded,
+          key.both_buffers})
         mix(b);
     mix(static_cast<std::uint64_t>(key.coverage));
     mix(key.follows_color);

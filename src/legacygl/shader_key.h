@@ -86,6 +86,7 @@ struct ShaderKey
     GLenum fog_mode = 0;         ///< 0: no fog.
     bool fog_coordinate = false; ///< Fog by the vertex's fog coordinate, not its distance.
     GLenum alpha_func = GL_ALWAYS;
+    bool both_buffers = false; ///< The colour goes to the front and to the back.
     bool flat = false; ///< See takes_one_color().
     bool points = false;
     bool polygon_stipple = false;

@@ -203,7 +203,10 @@ std::string fragment_text(const ShaderKey& key)
     if (key.textured())
         text += uniforms("texturing", texturing_layout::SIZE);
     text += uniforms("fragments", fragments_layout::size(key.polygon_stipple));
-    text += "out vec4 fragment_color;\nvoid main()\n{\n";
+    text += key.both_buffers ? "layout(location = 0) out vec4 fragment_color;\n"
+                               "layout(location = 1) out vec4 front_fragment_color;\n"
+                             : "out vec4 fragment_color;\n";
+    text += "void main()\n{\n";
     if (key.polygon_stipple)
         text += polygon_stipple_text();
     text += two_side ? "    vec4 c = gl_FrontFacing ? front_color : back_color;\n"
@@ -219,6 +222,8 @@ std::string fragment_text(const ShaderKey& key)
         text += coverage_text(key.coverage);
     if (key.alpha_func != GL_ALWAYS)
         text += alpha_text(key.alpha_func);
+    if (key.both_buffers)
+        text += "    front_fragment_color = c;\n";
     return text + "    fragment_color = c;\n}\n";
 }
 

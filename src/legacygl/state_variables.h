@@ -87,6 +87,8 @@ template <class Visit> void visit_variables(State& s, Visit&& visit)
     visit(GL_BLEND_COLOR, GL_COLOR_BUFFER_BIT, Field::fraction(fragment.blend.color));
     visit(GL_COLOR_WRITEMASK, GL_COLOR_BUFFER_BIT, Field(fragment.color_mask));
     visit(GL_COLOR_CLEAR_VALUE, GL_COLOR_BUFFER_BIT, Field::fraction(fragment.clear_color));
+    visit(GL_DRAW_BUFFER, GL_COLOR_BUFFER_BIT, Field(fragment.draw_buffer));
+    visit(GL_READ_BUFFER, GL_PIXEL_MODE_BIT, Field(fragment.read_buffer));
     visit(GL_INDEX_WRITEMASK, GL_COLOR_BUFFER_BIT, Field(s.color_index.write_mask));
     visit(GL_INDEX_CLEAR_VALUE, GL_COLOR_BUFFER_BIT, Field(s.color_index.clear));
     visit(GL_ACCUM_CLEAR_VALUE, GL_ACCUM_BUFFER_BIT, Field::fraction(fragment.clear_accumulation));

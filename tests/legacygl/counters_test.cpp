@@ -57,10 +57,11 @@ public:
         ++draws;
     }
     void clear(const legacygl::Pipeline&, const legacygl::Clear&) override {}
-    void read_pixels(int, int, int, int, std::span<std::uint8_t>) override {}
+    void read_pixels(bool, int, int, int, int, std::span<std::uint8_t>) override {}
     void flush(bool) override {}
     void resize(int, int) override {}
     void present() override {}
+    void show_front() override {}
     void context_lost() override {}
     void context_restored() override {}
 

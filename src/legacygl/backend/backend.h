@@ -67,6 +67,8 @@ struct Pipeline
     bool polygon_offset = false;
     std::array<GLfloat, 2> polygon_offset_factor_units{0, 0};
     std::array<bool, 4> color_mask{true, true, true, true};
+    bool draws_front = false; ///< Into the front colours.
+    bool draws_back = true;   ///< Into the back colours; where there is one buffer, both mean it.
     bool dither = true;
     GLfloat line_width = 1;
     bool operator==(const Pipeline&) const = default;
@@ -132,12 +134,15 @@ public:
                              std::span<const DrawRun> runs) = 0;
     /// Clears within the pipeline's masks.
     virtual void clear(const Pipeline& pipeline, const Clear& clear) = 0;
-    /// Reads width × height RGBA pixels of a byte a channel, the bottom row first.
-    virtual void read_pixels(int x, int y, int width, int height, std::span<std::uint8_t> rgba) = 0;
+    /// Reads width × height RGBA pixels of a byte a channel from the front or back, the bottom row first.
+    virtual void read_pixels(bool front, int x, int y, int width, int height,
+                             std::span<std::uint8_t> rgba) = 0;
     virtual void flush(bool wait) = 0;
 
     virtual void resize(int width, int height) = 0;
+    /// Copies the back into the front and shows the front.
     virtual void present() = 0;
+    virtual void show_front() = 0;
     virtual void context_lost() = 0;
     virtual void context_restored() = 0;
 

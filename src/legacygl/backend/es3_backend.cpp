@@ -161,9 +161,10 @@ public:
         gl_.Clear(clear.buffers);
     }
 
-    void read_pixels(int x, int y, int width, int height, std::span<std::uint8_t> rgba) override
+    void read_pixels(bool front, int x, int y, int width, int height, std::span<std::uint8_t> rgba) override
     {
         draw_gathered();
+        target_.read_from(front);
         gl_.ReadPixels(x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     }
 
@@ -184,6 +185,13 @@ public:
     {
         draw_gathered();
         target_.present();
+        forget_state();
+    }
+
+    void show_front() override
+    {
+        draw_gathered();
+        target_.show_front();
         forget_state();
     }
 
@@ -313,6 +321,8 @@ private:
             return;
         const bool all = !pipeline_;
         const Pipeline& old = all ? p : *pipeline_;
+        if (all || old.draws_front != p.draws_front || old.draws_back != p.draws_back)
+            target_.draw_into(p.draws_front, p.draws_back);
         if (all || old.viewport != p.viewport)
             gl_.Viewport(p.viewport[0], p.viewport[1], p.viewport[2], p.viewport[3]);
         if (all || old.depth_range != p.depth_range)

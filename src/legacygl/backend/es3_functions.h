@@ -53,6 +53,7 @@ namespace legacygl {
     X(void, DepthRangef, (GLfloat, GLfloat))                                                                 \
     X(void, Disable, (GLenum))                                                                               \
     X(void, DrawArrays, (GLenum, GLint, GLsizei))                                                            \
+    X(void, DrawBuffers, (GLsizei, const GLenum*))                                                           \
     X(void, DrawElements, (GLenum, GLsizei, GLenum, const void*))                                            \
     X(void, Enable, (GLenum))                                                                                \
     X(void, EnableVertexAttribArray, (GLuint))                                                               \

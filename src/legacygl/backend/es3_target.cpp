@@ -39,34 +39,88 @@ Es3Target::Es3Target(const Es3Functions& gl, LegacyGLTarget kind, int width, int
 
 void Es3Target::restore()
 {
-    if (kind_ == LEGACYGL_TARGET_OWN)
-        make_framebuffer();
-    bind();
+    if (own())
+        buffers_ = make_buffers();
 }
 
-void Es3Target::make_framebuffer()
+GLuint Es3Target::make_color()
 {
-    gl_.GenTextures(1, &color_);
-    gl_.BindTexture(GL_TEXTURE_2D, color_);
+    GLuint name = 0;
+    gl_.GenTextures(1, &name);
+    gl_.BindTexture(GL_TEXTURE_2D, name);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl_.GenRenderbuffers(1, &depth_stencil_);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_stencil_);
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width_, height_);
-    gl_.GenFramebuffers(1, &framebuffer_);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_stencil_);
+    return name;
+}
+
+GLuint Es3Target::make_framebuffer(const Buffers& buffers, Which which)
+{
+    GLuint name = 0;
+    gl_.GenFramebuffers(1, &name);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, name);
+    const auto attach = [this](GLenum where, GLuint color) {
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, where, GL_TEXTURE_2D, color, 0);
+    };
+    attach(GL_COLOR_ATTACHMENT0, buffers.colors[which == front ? front : back]);
+    if (which == both) {
+        attach(GL_COLOR_ATTACHMENT1, buffers.colors[front]);
+        constexpr GLenum draw_buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+        gl_.DrawBuffers(2, draw_buffers);
+    }
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                buffers.depth_stencil);
     gl_.ClearColor(0, 0, 0, 0);
     gl_.ClearDepthf(1);
     gl_.ClearStencil(0);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    return name;
 }
 
-void Es3Target::bind()
+Es3Target::Buffers Es3Target::make_buffers()
 {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, kind_ == LEGACYGL_TARGET_OWN ? framebuffer_ : given_);
+    Buffers buffers;
+    gl_.GenRenderbuffers(1, &buffers.depth_stencil);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, buffers.depth_stencil);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width_, height_);
+    buffers.colors[back] = make_color();
+    if (doubled())
+        buffers.colors[front] = make_color();
+    buffers.framebuffers[back] = make_framebuffer(buffers, back);
+    if (doubled()) {
+        buffers.framebuffers[front] = make_framebuffer(buffers, front);
+        buffers.framebuffers[both] = make_framebuffer(buffers, both);
+    }
+    return buffers;
+}
+
+void Es3Target::delete_buffers(Buffers& buffers)
+{
+    gl_.DeleteFramebuffers(3, buffers.framebuffers.data());
+    gl_.DeleteTextures(2, buffers.colors.data());
+    gl_.DeleteRenderbuffers(1, &buffers.depth_stencil);
+    buffers = {};
+}
+
+void Es3Target::draw_into(bool to_front, bool to_back)
+{
+    const Which which = !doubled() || !to_front ? back : to_back ? both : front;
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, own() ? buffers_.framebuffers[which] : given_);
+}
+
+void Es3Target::read_from(bool from_front)
+{
+    const Which which = doubled() && from_front ? front : back;
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, own() ? buffers_.framebuffers[which] : given_);
+}
+
+void Es3Target::copy(const Buffers& from, const Buffers& to, Which which, int width, int height,
+                     GLbitfield what)
+{
+    gl_.Disable(GL_SCISSOR_TEST); // It would cut the copy too.
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffers[&from == &to ? back : which]);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffers[which]);
+    gl_.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, what, GL_NEAREST);
 }
 
 void Es3Target::resize(int width, int height)
@@ -74,53 +128,59 @@ void Es3Target::resize(int width, int height)
     const int kept_width = std::min(width, width_), kept_height = std::min(height, height_);
     width_ = width;
     height_ = height;
-    if (kind_ != LEGACYGL_TARGET_OWN)
+    if (!own())
         return;
-    const GLuint old_framebuffer = framebuffer_, old_color = color_, old_depth_stencil = depth_stencil_;
-    make_framebuffer();
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, old_framebuffer);
-    gl_.BlitFramebuffer(0, 0, kept_width, kept_height, 0, 0, kept_width, kept_height,
-                        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
-    gl_.DeleteFramebuffers(1, &old_framebuffer);
-    gl_.DeleteTextures(1, &old_color);
-    gl_.DeleteRenderbuffers(1, &old_depth_stencil);
-    bind();
+    Buffers old = buffers_;
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthMask(GL_TRUE);
+    gl_.StencilMask(~0u);
+    buffers_ = make_buffers();
+    copy(old, buffers_, back, kept_width, kept_height,
+         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (doubled())
+        copy(old, buffers_, front, kept_width, kept_height, GL_COLOR_BUFFER_BIT);
+    delete_buffers(old);
 }
 
 void Es3Target::present()
 {
-    if (kind_ != LEGACYGL_TARGET_OWN)
+    if (doubled())
+        copy(buffers_, buffers_, front, width_, height_, GL_COLOR_BUFFER_BIT);
+    show_front();
+}
+
+void Es3Target::show_front()
+{
+    if (!own())
         return;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, given_);
     // Without a window (EGL's surfaceless platform) there is nothing to copy into.
-    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) {
-        if (copy_program_ == 0) {
-            std::string message;
-            copy_program_ = link_program(gl_, COPY_VERTEX, COPY_FRAGMENT, message);
-            gl_.GenVertexArrays(1, &copy_vertex_array_);
-        }
-        // Drawn, not blitted: ES does not blit into the antialiased framebuffer a window may have.
-        gl_.Disable(GL_BLEND);
-        gl_.Disable(GL_DEPTH_TEST);
-        gl_.Disable(GL_CULL_FACE);
-        gl_.Disable(GL_SCISSOR_TEST);
-        gl_.Disable(GL_STENCIL_TEST);
-        gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        gl_.Viewport(0, 0, width_, height_);
-        gl_.UseProgram(copy_program_);
-        gl_.ActiveTexture(GL_TEXTURE0);
-        gl_.BindTexture(GL_TEXTURE_2D, color_);
-        gl_.BindVertexArray(copy_vertex_array_);
-        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return;
+    if (copy_program_ == 0) {
+        std::string message;
+        copy_program_ = link_program(gl_, COPY_VERTEX, COPY_FRAGMENT, message);
+        gl_.GenVertexArrays(1, &copy_vertex_array_);
     }
-    bind();
+    // Drawn, not blitted: ES does not blit into the antialiased framebuffer a window may have.
+    gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.Disable(GL_STENCIL_TEST);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.Viewport(0, 0, width_, height_);
+    gl_.UseProgram(copy_program_);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D, buffers_.colors[doubled() ? front : back]);
+    gl_.BindVertexArray(copy_vertex_array_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Es3Target::destroy()
 {
-    gl_.DeleteFramebuffers(1, &framebuffer_);
-    gl_.DeleteTextures(1, &color_);
-    gl_.DeleteRenderbuffers(1, &depth_stencil_);
+    delete_buffers(buffers_);
     gl_.DeleteProgram(copy_program_);
     gl_.DeleteVertexArrays(1, &copy_vertex_array_);
     forget();
@@ -128,7 +188,8 @@ void Es3Target::destroy()
 
 void Es3Target::forget()
 {
-    framebuffer_ = color_ = depth_stencil_ = copy_program_ = copy_vertex_array_ = 0;
+    buffers_ = {};
+    copy_program_ = copy_vertex_array_ = 0;
 }
 
 } // namespace legacygl

@@ -4,6 +4,8 @@
 
 #include <legacygl/legacygl.h>
 
+#include <array>
+
 namespace legacygl {
 
 /// Where an ES backend draws: the framebuffer it was given, or one of its own that keeps its contents.
@@ -15,28 +17,51 @@ public:
 
     /// Makes the target's objects again; their contents are cleared. Call after a lost context.
     void restore();
-    /// Binds the target for drawing and reading.
-    void bind();
+    /// Binds what is drawn into: the front colours, the back ones, or both (OpenGL 1.5, 4.2.1). Where there
+    /// is but one buffer it is that.
+    void draw_into(bool front, bool back);
+    /// Binds what is read from.
+    void read_from(bool front);
     /// Changes the size; an own target keeps what fits, anchored at the bottom left.
     void resize(int width, int height);
-    /// Copies an own target into the given framebuffer and binds the target again.
+    /// Copies an own target's back into its front and shows that. The caller binds again.
     void present();
+    /// Copies an own target's front into the given framebuffer. The caller binds again.
+    void show_front();
     /// Frees the objects. The context is current.
     void destroy();
     void forget();
 
 private:
-    void make_framebuffer();
-    GLuint make_copy_program();
+    /// Textures, so that the front can be drawn where a blit is not allowed. Where there is one buffer it is
+    /// the back here, and the others are 0.
+    struct Buffers
+    {
+        std::array<GLuint, 2> colors{}; ///< back, front
+        GLuint depth_stencil = 0;
+        std::array<GLuint, 3> framebuffers{}; ///< back, front, both
+    };
+    enum Which : int
+    {
+        back,
+        front,
+        both
+    };
+
+    bool own() const { return kind_ != LEGACYGL_TARGET_WINDOW; }
+    bool doubled() const { return kind_ == LEGACYGL_TARGET_OWN; }
+    Buffers make_buffers();
+    GLuint make_color();
+    GLuint make_framebuffer(const Buffers& buffers, Which which);
+    void delete_buffers(Buffers& buffers);
+    void copy(const Buffers& from, const Buffers& to, Which which, int width, int height, GLbitfield what);
 
     const Es3Functions& gl_;
     LegacyGLTarget kind_;
     int width_;
     int height_;
     GLuint given_ = 0;
-    GLuint framebuffer_ = 0;
-    GLuint color_ = 0; ///< A texture, so that present() can draw it where a blit is not allowed.
-    GLuint depth_stencil_ = 0;
+    Buffers buffers_;
     GLuint copy_program_ = 0;
     GLuint copy_vertex_array_ = 0;
 };

@@ -116,7 +116,7 @@ void RecordingBackend::clear(const Pipeline& pipeline, const Clear& clear)
     record.clear = clear;
 }
 
-void RecordingBackend::read_pixels(int, int, int, int, std::span<std::uint8_t> rgba)
+void RecordingBackend::read_pixels(bool, int, int, int, int, std::span<std::uint8_t> rgba)
 {
     std::fill(rgba.begin(), rgba.end(), std::uint8_t{0});
 }
@@ -129,6 +129,8 @@ void RecordingBackend::present()
 {
     add(BackendRecord::Kind::present);
 }
+
+void RecordingBackend::show_front() {}
 
 void RecordingBackend::context_lost()
 {

@@ -57,10 +57,11 @@ public:
     void draw_stream(const DrawState& state, const VertexFormat& format, std::span<const float> vertices,
                      std::span<const std::uint32_t> indices, std::span<const DrawRun> runs) override;
     void clear(const Pipeline& pipeline, const Clear& clear) override;
-    void read_pixels(int x, int y, int width, int height, std::span<std::uint8_t> rgba) override;
+    void read_pixels(bool front, int x, int y, int width, int height, std::span<std::uint8_t> rgba) override;
     void flush(bool wait) override;
     void resize(int width, int height) override;
     void present() override;
+    void show_front() override;
     void context_lost() override;
     void context_restored() override;
 

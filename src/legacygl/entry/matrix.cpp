@@ -24,6 +24,14 @@ void matrix_changed(Context& gl)
                                                                      : Renderer::matrices);
 }
 
+template <class T> Values transposed(const T* m)
+{
+    Values out;
+    for (int i = 0; i < 16; ++i)
+        out[i] = static_cast<float>(m[i % 4 * 4 + i / 4]);
+    return out;
+}
+
 Matrix& top(Context& gl)
 {
     matrix_changed(gl);
@@ -100,6 +108,26 @@ void glMultMatrixf(const GLfloat* m)
 void glMultMatrixd(const GLdouble* m)
 {
     multiply(__func__, floats(m));
+}
+
+void glLoadTransposeMatrixf(const GLfloat* m)
+{
+    load(__func__, transposed(m));
+}
+
+void glLoadTransposeMatrixd(const GLdouble* m)
+{
+    load(__func__, transposed(m));
+}
+
+void glMultTransposeMatrixf(const GLfloat* m)
+{
+    multiply(__func__, transposed(m));
+}
+
+void glMultTransposeMatrixd(const GLdouble* m)
+{
+    multiply(__func__, transposed(m));
 }
 
 void glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z)

@@ -69,6 +69,19 @@ struct FragmentState
     GLdouble clear_depth = 1;
     GLint clear_stencil = 0;
     glm::vec4 clear_accumulation{0, 0, 0, 0};
+    GLenum draw_buffer = GL_BACK;
+    GLenum read_buffer = GL_BACK;
+
+    /// Which colour buffers are drawn into, by the name that glDrawBuffer was given.
+    bool draws_front() const { return draw_buffer != GL_NONE && !draws_back_only(); }
+    bool draws_back() const
+    {
+        return draws_back_only() || draw_buffer == GL_LEFT || draw_buffer == GL_FRONT_AND_BACK;
+    }
+    bool reads_front() const { return read_buffer != GL_BACK && read_buffer != GL_BACK_LEFT; }
+
+private:
+    bool draws_back_only() const { return draw_buffer == GL_BACK || draw_buffer == GL_BACK_LEFT; }
 };
 
 } // namespace legacygl

@@ -25,8 +25,11 @@ typedef enum LegacyGLTarget
 {
     /** Straight into the window's default framebuffer; nothing is kept after a present. */
     LEGACYGL_TARGET_WINDOW = 0,
-    /** Into colour, depth and stencil of its own that keep their contents; present copies them out. */
-    LEGACYGL_TARGET_OWN = 1
+    /** Into front and back colours, depth and stencil of its own that keep their contents; present makes
+        the back the front and shows it, and the back keeps its contents too. */
+    LEGACYGL_TARGET_OWN = 1,
+    /** The same with one colour buffer, which is the front: a single-buffered window. */
+    LEGACYGL_TARGET_OWN_SINGLE = 2
 } LegacyGLTarget;
 
 /** Makes a context for the OpenGL ES 3 / WebGL 2 context that is current, and makes it current.
@@ -50,9 +53,13 @@ LegacyGLContext* legacygl_current(void);
     not changed, as a window system does not change it either. */
 void legacygl_resize(LegacyGLContext* context, int width, int height);
 
-/** Finishes the frame: draws what is pending and, from an own target, copies the picture into the
-    default framebuffer. Swapping the window's buffers stays the caller's. */
+/** Finishes the frame: draws what is pending and, from an own target, copies the back into the front and
+    that into the default framebuffer. Swapping the window's buffers stays the caller's. */
 void legacygl_present(LegacyGLContext* context);
+
+/** Copies the front of an own target into the default framebuffer and leaves the back alone: for what a
+    program draws into the front, after its glFlush. */
+void legacygl_show_front(LegacyGLContext* context);
 
 /** Tells that the ES context is lost: its objects are forgotten, calls go on recording state. */
 void legacygl_context_lost(LegacyGLContext* context);
@@ -101,33 +108,43 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
 /* What is implemented so far, and how it differs from OpenGL
    ============================================================
 
-   A function that is in no list below is not defined here: a program that calls it does not link.
-
    Implemented, with all their type variants: glBegin, glEnd, glVertex, glNormal, glColor, glTexCoord,
-   glMultiTexCoord, glSecondaryColor, glFogCoord, glRect; glMatrixMode, glLoadIdentity, glLoadMatrix,
-   glMultMatrix, glTranslate, glRotate, glScale, glFrustum, glOrtho, glPushMatrix, glPopMatrix, glViewport,
-   glDepthRange; glGenLists, glNewList, glEndList, glCallList, glCallLists, glListBase, glDeleteLists,
-   glIsList; glLight, glLightModel, glMaterial, glColorMaterial, glShadeModel; glGenTextures, glBindTexture,
-   glDeleteTextures, glIsTexture, glTexImage1D, glTexImage2D, glTexParameter, glTexEnv, glTexGen,
-   glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace, glLineWidth, glPointSize,
-   glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp,
-   glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask, glFog;
-   glClear, glClearColor, glClearDepth, glClearStencil, glFlush, glFinish, glReadPixels, glPixelStore; the
-   vertex arrays (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glGet for the
-   state of these, glGetError, glGetString, glGetPointerv, glHint. Of GLU: projections, quadrics, mipmaps, glu
-   strings; what GLU lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names
-   it).
+   glMultiTexCoord, glSecondaryColor, glFogCoord, glIndex, glRect; glMatrixMode, glLoadIdentity, glLoadMatrix,
+   glMultMatrix, glLoadTransposeMatrix, glMultTransposeMatrix, glTranslate, glRotate, glScale, glFrustum,
+   glOrtho, glPushMatrix, glPopMatrix, glViewport, glDepthRange; glGenLists, glNewList, glEndList, glCallList,
+   glCallLists, glListBase, glDeleteLists, glIsList; glLight, glLightModel, glMaterial, glColorMaterial,
+   glShadeModel; glGenTextures, glBindTexture, glDeleteTextures, glIsTexture, glPrioritizeTextures,
+   glAreTexturesResident, glTexImage1D, glTexImage2D (proxies too), glTexSubImage1D, glTexSubImage2D,
+   glCopyTexImage1D, glCopyTexImage2D, glCopyTexSubImage1D, glCopyTexSubImage2D, glGetTexImage, glTexParameter,
+   glTexEnv, glTexGen, glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace,
+   glLineWidth, glPointSize, glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc,
+   glStencilOp, glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask,
+   glIndexMask, glSampleCoverage, glFog; glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex,
+   glClearAccum, glDrawBuffer, glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays
+   (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib,
+   glPushClientAttrib, glPopClientAttrib; glGet, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen,
+   glGetTexParameter, glGetTexLevelParameter, glGetPointerv, glGetError, glGetString, glHint; and their names
+   as extensions, which glGetString(GL_EXTENSIONS) lists. Of GLU: projections, quadrics, mipmaps, glu strings;
+   what GLU lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
 
-   Not implemented, and not defined: glPushAttrib, glPopAttrib and their client forms; glPolygonMode,
-   glEdgeFlag, glLineStipple, glPolygonStipple, glLogicOp; glClipPlane; glTexSubImage, glCopyTexImage,
-   glCopyTexSubImage, glGetTexImage, proxy textures, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen,
-   glGetTexParameter, glGetClipPlane, glDrawBuffer, glReadBuffer; raster positions, glBitmap, glDrawPixels,
-   glCopyPixels, pixel transfer and maps; selection and feedback; evaluators; accumulation; colour index.
+   Not implemented: a call sets GL_INVALID_OPERATION and says so once on stderr: glRasterPos, glBitmap,
+   glDrawPixels, glCopyPixels, glPixelZoom, glPixelTransfer, glPixelMap, glGetPixelMap; glRenderMode but for
+   GL_RENDER, glSelectBuffer, glFeedbackBuffer, glPassThrough (glInitNames, glLoadName, glPushName and
+   glPopName do nothing, as in OpenGL outside selection); glMap, glGetMap, glMapGrid, glEvalCoord, glEvalMesh,
+   glEvalPoint; glAccum; reading depth and stencil with glReadPixels and images of colour indices; and what
+   <GL/gl.h> declares of volumes (glTexImage3D …), of compressed images (glCompressedTexImage2D …) and of the
+   imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …).
 
-   Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. GL_CLAMP samples as
-   GL_CLAMP_TO_EDGE, since ES has no border. Line widths beyond what the ES implementation draws are drawn as
-   wide as it can. Quads are cut along the diagonal that Mesa uses in display lists, also in immediate mode.
-   Textures are stored with eight bits a channel. An own target has one colour buffer. */
+   Not implemented, and not defined: glPolygonMode, glEdgeFlag, glLineStipple, glPolygonStipple, glLogicOp,
+   glClipPlane and their queries.
+
+   Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. Line widths beyond
+   what the ES implementation draws are drawn as wide as it can. Quads are cut along the diagonal that Mesa
+   uses in display lists, also in immediate mode. Textures are stored with eight bits a channel, or fewer where
+   their format says so; a texture's border texels are dropped, and the border's colour stands for them, as
+   with Mesa. Texels copied from the frame buffer are read back to the CPU. A window's framebuffer has no front
+   of its own: drawing into the front draws into the back. Multisampling and colour indices are state that
+   nothing shows. There are no accumulation and no auxiliary buffers, and no stereo. */
 
 #ifdef __cplusplus
 }

@@ -9,8 +9,6 @@ namespace app {
 
 namespace {
 
-constexpr std::string_view MESH_NAMES[] = {"body", "turret", "main gun", "secondary gun", "wheel"};
-
 std::string metres(double value)
 {
     return in_metres(value) + " m";
@@ -65,10 +63,10 @@ void add_mesh_spheres(std::vector<Fact>& facts, const Simulation& simulation)
         const auto kind = static_cast<tank::MeshKind>(mesh);
         const collision::BoundingSphere& average = simulation.spheres().of_mesh(kind, SphereFit::average);
         const collision::BoundingSphere& smallest = simulation.spheres().of_mesh(kind, SphereFit::smallest);
-        facts.push_back({MESH_NAMES[mesh], std::to_string(simulation.assets().high[mesh].positions.size()) +
-                                               " vertices, average " + in_metres(average.centre) +
-                                               ", radius " + metres(average.radius) + "; smallest sphere " +
-                                               metres(smallest.radius)});
+        facts.push_back({tank::mesh_title(kind),
+                         std::to_string(simulation.assets().high[mesh].positions.size()) +
+                             " vertices, average " + in_metres(average.centre) + ", radius " +
+                             metres(average.radius) + "; smallest sphere " + metres(smallest.radius)});
     }
 }
 

@@ -10,7 +10,6 @@ namespace platform {
 namespace {
 
 constexpr double TRIANGLES = 4.0; // GL_TRIANGLES; <GL/gl.h> is scene's alone
-constexpr std::string_view MESH_NAMES[] = {"body", "turret", "main gun", "secondary gun", "wheel"};
 
 /// Compares what a list drew with the mesh, one call after the other.
 class Comparison
@@ -73,7 +72,7 @@ void check_mesh(const CheckSubject& subject, const FrameCapture& capture, std::s
     for (const LegacyGLCall& of_list : capture.calls_of_list(capture.tank_list_calls[call])) {
         comparison.take(of_list);
     }
-    const std::string name(MESH_NAMES[mesh]);
+    const std::string name(tank::mesh_title(static_cast<tank::MeshKind>(mesh)));
     const std::string faces = std::to_string(obj.faces.size());
     evidence.require(comparison.only_triangles() && comparison.corners() == obj.faces.size() * 3 &&
                          comparison.wrong_corners() == 0,
@@ -98,7 +97,9 @@ void check_draw_obj(const CheckSubject& subject, Evidence& evidence)
             ++call;
         }
         if (call == capture.tank_list_calls.size()) {
-            evidence.require(false, "", "No list draws the " + std::string(MESH_NAMES[mesh]) + ".");
+            evidence.require(false, "",
+                             "No list draws the " +
+                                 std::string(tank::mesh_title(static_cast<tank::MeshKind>(mesh))) + ".");
         } else {
             check_mesh(subject, capture, call, evidence);
         }

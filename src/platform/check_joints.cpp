@@ -133,8 +133,8 @@ void check_limits(const CheckSubject& subject, const Turning& turning, double si
         }
         constexpr double FULL_TURN = 6.283185307179586;
         evidence.require(never_stops && std::fabs(turned) > FULL_TURN,
-                         "The " + name + " go all the way round.",
-                         "The " + name + " stop on their way round.");
+                         "The " + name + " can be turned all the way round.",
+                         "The " + name + " cannot be turned all the way round.");
         return;
     }
     hold(subject, state, *command, TICKS);

@@ -45,7 +45,7 @@ void check_mesh(const CheckSubject& subject, const app::TankSpheres& spheres, st
     const BoundingSphere wanted = average_sphere(obj);
     const BoundingSphere& average = spheres.of_mesh(kind, SphereFit::average);
     const BoundingSphere& smallest = spheres.of_mesh(kind, SphereFit::smallest);
-    const std::string name = "mesh " + std::to_string(mesh + 1) + " of 5";
+    const std::string name = "the " + std::string(tank::mesh_title(kind));
     const bool is_average = glm::distance(average.centre, wanted.centre) <= TOLERANCE &&
                             std::fabs(average.radius - wanted.radius) <= TOLERANCE;
     evidence.require(is_average,

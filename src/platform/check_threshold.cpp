@@ -103,7 +103,7 @@ void check_difference(const CheckSubject& subject, Evidence& evidence)
     const double d = app::State{}.show.threshold;
     // In a lower window the tank is as small as in the one of the measurement further away.
     const double as_seen = d * std::min(subject.height, MEASURED_HEIGHT) / MEASURED_HEIGHT;
-    const lod::PictureDifference beyond = difference_at(subject, d * 1.02);
+    const lod::PictureDifference beyond = difference_at(subject, as_seen * 1.02);
     const lod::PictureDifference inside = difference_at(subject, as_seen / 5.0);
     const lod::ShowingCriterion criterion;
     evidence.require(beyond.tank_pixels > 0 && !lod::shows(beyond, criterion),

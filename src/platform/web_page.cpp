@@ -34,6 +34,11 @@ EM_JS(int, wants_antialias, (), {
 });
 // clang-format on
 
+/// A check draws hundreds of pictures: large enough to judge, small enough not to keep anybody waiting.
+/// Pixels.
+constexpr int CHECK_WIDTH = 480;
+constexpr int CHECK_HEIGHT = 300;
+
 double seconds_now()
 {
     return emscripten_get_now() / 1000.0;
@@ -168,7 +173,8 @@ std::string WebPage::capture()
 
 void WebPage::check(std::string_view id)
 {
-    const CheckSubject subject{program_.assets(), program_.renderer(), canvas_.width(), canvas_.height()};
+    const CheckSubject subject{program_.assets(), program_.renderer(), std::min(canvas_.width(), CHECK_WIDTH),
+                               std::min(canvas_.height(), CHECK_HEIGHT)};
     if (std::optional<CheckResult> result = run_check(id, subject)) {
         remember(check_results_, *std::move(result));
         draw_now(); // the check drew over the picture

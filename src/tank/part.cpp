@@ -12,6 +12,13 @@ constexpr std::array<std::string_view, PART_COUNT> NAMES = {
 
 } // namespace
 
+std::string_view mesh_title(MeshKind mesh)
+{
+    constexpr std::string_view TITLES[MESH_KIND_COUNT] = {"body", "turret", "main gun", "secondary gun",
+                                                          "wheel"};
+    return TITLES[index_of(mesh)];
+}
+
 std::string_view part_name(Part part)
 {
     return NAMES[index_of(part)];

@@ -67,6 +67,9 @@ constexpr std::size_t index_of(MeshKind mesh)
     return static_cast<std::size_t>(mesh);
 }
 
+/// Returns what people call a mesh, such as "main gun".
+std::string_view mesh_title(MeshKind mesh);
+
 /// Returns the name used in links and on the page, such as "main_gun" or "wheel_left_3".
 std::string_view part_name(Part part);
 

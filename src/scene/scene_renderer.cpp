@@ -113,6 +113,7 @@ void SceneRenderer::draw_tanks(const app::Frame& frame) const
     use_tank_material();
     const Enabled lighting(GL_LIGHTING);
     const Enabled texture(GL_TEXTURE_2D);
+    const Edges edges(frame.wireframe);
     glBindTexture(GL_TEXTURE_2D, texture_);
     std::optional<Enabled> culling;
     if (assets_->is_one_sided) {

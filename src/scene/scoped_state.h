@@ -65,6 +65,16 @@ public:
     LineWidth& operator=(const LineWidth&) = delete;
 };
 
+/// Draws polygons by their edges in the scope, if asked to.
+class Edges
+{
+public:
+    explicit Edges(bool are_drawn) { glPolygonMode(GL_FRONT_AND_BACK, are_drawn ? GL_LINE : GL_FILL); }
+    ~Edges() { glPolygonMode(GL_FRONT_AND_BACK, GL_FILL); }
+    Edges(const Edges&) = delete;
+    Edges& operator=(const Edges&) = delete;
+};
+
 /// Keeps the matrix of the scope around it.
 class PushedMatrix
 {

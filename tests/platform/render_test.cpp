@@ -144,6 +144,18 @@ TEST_F(Render, RefusesArgumentsItDoesNotKnow)
     expect_refused(render({"", "--out", ""}), "--out needs a path");
 }
 
+TEST_F(Render, MeasuresTheThresholdByBothRenderers)
+{
+    for (const char* renderer : {"emulated", "reference"}) {
+        const Finished finished =
+            render({"--measure-threshold", "--size", "160x100", "--assets", ASSETS, "--renderer", renderer});
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        EXPECT_NE(finished.out.find("   400.0 m "), std::string::npos) << finished.out; // it begins far away
+        EXPECT_NE(finished.out.find("\nd = "), std::string::npos) << finished.out;
+        EXPECT_FALSE(fs::exists(picture()));
+    }
+}
+
 TEST_F(Render, TellsItsUsage)
 {
     const Finished finished = render({"--help"});

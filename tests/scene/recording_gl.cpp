@@ -218,6 +218,10 @@ void glBlendFunc(GLenum source, GLenum destination)
 {
     note("glBlendFunc", {double(source), double(destination)});
 }
+void glPolygonMode(GLenum face, GLenum mode)
+{
+    note("glPolygonMode", {double(face), double(mode)});
+}
 void glLineWidth(GLfloat width)
 {
     note("glLineWidth", {number(width)});

@@ -217,6 +217,7 @@ TEST_F(SceneRenderer, LeavesOpenGlAtRestWhateverItDraws)
              {"glDepthMask", {GL_TRUE}},
              {"glCullFace", {GL_BACK}},
              {"glLineWidth", {1.0}},
+             {"glPolygonMode", {GL_FRONT_AND_BACK, GL_FILL}},
              {"glMatrixMode", {GL_MODELVIEW}},
          }) {
         EXPECT_EQ(after.final_settings.at(name), expected) << name;
@@ -266,6 +267,21 @@ TEST_F(SceneRenderer, DrawsTheLevelThatTheFrameSays)
         EXPECT_EQ(count(calls, false), high);
         EXPECT_EQ(count(calls, true), low);
     }
+}
+
+TEST_F(SceneRenderer, DrawsTheEdgesOfTheTanksAlone)
+{
+    state.show.wireframe = true;
+    state.show.detail = app::Detail::both;
+    std::size_t of_tanks = 0;
+    for (const ListCall& call : replay(draw()).list_calls) {
+        const auto mode = call.settings.find("glPolygonMode");
+        const bool edges =
+            mode != call.settings.end() && mode->second == std::vector<double>{GL_FRONT_AND_BACK, GL_LINE};
+        of_tanks += edges ? 1u : 0u;
+        EXPECT_TRUE(edges || !is_of_tank(call));
+    }
+    EXPECT_EQ(of_tanks, 2 * tank::PART_COUNT);
 }
 
 TEST_F(SceneRenderer, UploadsTheTextureWithFourBytesAPixelAndMipmaps)

@@ -1,41 +1,8 @@
 // The program's own picture: the assembled tank from four cameras in three poses, as a link describes them.
 
-#include "app/frame.h"
-#include "app/links.h"
-#include "platform/asset_files.h"
-#include "scene/scene_renderer.h"
-#include "scenes/common.h"
-
-#include <cstdio>
-#include <cstdlib>
+#include "scenes/program.h"
 
 namespace {
-
-constexpr oracle::Size SIZE = {640, 400};
-
-const app::Assets& assets()
-{
-    static const app::Assets all = [] {
-        app::Assets read;
-        const std::string error = platform::read_asset_folder(ORACLE_ASSETS, read);
-        if (!error.empty()) {
-            std::fprintf(stderr, "%s\n", error.c_str());
-            std::abort();
-        }
-        return read;
-    }();
-    return all;
-}
-
-void draw(const std::string& link)
-{
-    app::State state;
-    for (const std::string& message : app::open_link(state, link).messages)
-        oracle::tell(message);
-    scene::SceneRenderer renderer;
-    oracle::tell(renderer.load(assets()));
-    renderer.draw(app::make_frame(state, assets()), SIZE.width, SIZE.height);
-}
 
 struct Named
 {
@@ -53,11 +20,9 @@ constexpr Named POSES[] = {{"rest", ""},
 
 [[maybe_unused]] const bool registered = [] {
     for (const Named& camera : CAMERAS)
-        for (const Named& pose : POSES) {
-            const std::string link = std::string(camera.link) + "&" + pose.link;
-            oracle::scenes().push_back(
-                {std::string("tank_") + camera.name + "_" + pose.name, [link] { draw(link); }, {}, SIZE});
-        }
+        for (const Named& pose : POSES)
+            oracle::add_link(std::string("tank_") + camera.name + "_" + pose.name,
+                             std::string(camera.link) + "&" + pose.link);
     return true;
 }();
 

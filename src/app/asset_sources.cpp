@@ -58,7 +58,7 @@ std::string_view as_text(std::span<const std::uint8_t> bytes)
 std::span<const std::uint8_t> present(std::span<const std::uint8_t> bytes)
 {
     static constexpr std::uint8_t NOTHING = 0;
-    return bytes.data() == nullptr ? std::span<const std::uint8_t>(&NOTHING, 0) : bytes;
+    return bytes.data() == nullptr ? std::span<const std::uint8_t>(&NOTHING, std::size_t{0}) : bytes;
 }
 
 } // namespace

@@ -220,7 +220,7 @@ if (fs.existsSync(local("index.html"))) {
 
 writeFolder(given.out, site);
 const size = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
-const script = Buffer.concat([...site].filter(([file]) => file.endsWith(".js")).map(([, bytes]) => bytes));
+const script = Buffer.concat([...site].filter(([file]) => file.endsWith(".js") && !file.startsWith("later/")).map(([, bytes]) => bytes));
 for (const [name, bytes] of [["program", wasm], ["script", script]]) {
   console.log(`${name.padEnd(8)} ${size(bytes.length).padStart(10)} ${size(gzipSync(bytes, { level: 9 }).length).padStart(10)} gzipped`);
 }

@@ -1,8 +1,8 @@
 // The user's own tank: dropped on the page or chosen, read here and nowhere else. Nothing leaves the browser.
-import { chosenFiles, droppedFiles, readTankFiles } from "./brought_files.js";
+import { chosenFiles, droppedFiles } from "./brought_files.js";
 import { button, element } from "./elements.js";
+import { importLater } from "./later.js";
 import { dismiss, notify } from "./notices.js";
-import { TankSet } from "./tank_set.js";
 
 const TOPIC = "own-tank";
 const PROGRESS_MS = 200; // what is over sooner needs no word
@@ -72,7 +72,7 @@ function keepInLinks(program) {
 /** Joins all of it to the page. parts: {canvas, program, act} */
 export function joinOwnTank({ canvas, program, act }) {
   const manifest = program.assetManifest();
-  const set = new TankSet(manifest);
+  let set = null;
   let busy = false;
 
   const tell = (sentence, field = null) => {
@@ -105,7 +105,10 @@ export function joinOwnTank({ canvas, program, act }) {
     };
     performance.mark("tanklab-files-brought");
     try {
-      await show(await readTankFiles(await find(), manifest, progress));
+      const found = await find();
+      const { readTankFiles, TankSet } = await importLater("own_tank");
+      set ??= new TankSet(manifest);
+      await show(await readTankFiles(found, manifest, progress));
       requestAnimationFrame(() => performance.mark("tanklab-own-tank-shown"));
     } catch (error) {
       tell(error.message, choosers());

@@ -1,5 +1,5 @@
 // Which files make the user's tank, when they come one after the other: models first, or texture, or low models.
-import { baseName } from "./brought_files.js";
+import { baseName } from "./tank_files.js";
 
 const listed = (names) => (names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`);
 

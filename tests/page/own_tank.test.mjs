@@ -153,15 +153,15 @@ test("a link of such a state asks for the files and keeps the rest until they co
   });
 });
 
-test("nothing leaves the browser, and unpacking is loaded only when it is needed", async () => {
+test("nothing leaves the browser, and what reads files is loaded only when it is needed", async () => {
   const requests = [];
   const before = (page) => page.on("request", (request) => requests.push(request));
   await withTank("chromium", { before }, async ({ page, url }) => {
-    assert.ok(!requests.some((request) => request.url().includes("unzip")));
+    assert.ok(!requests.some((request) => request.url().includes("later/")));
     requests.length = 0;
     await drop(page, { "tankLab.zip": tankLab() });
     const sent = requests.filter((request) => !request.url().startsWith("data:"));
-    assert.deepEqual(sent.map((request) => [request.method(), new URL(request.url()).pathname]), [["GET", new URL("later/unzip.js", url).pathname]]);
+    assert.deepEqual(sent.map((request) => [request.method(), new URL(request.url()).pathname]), [["GET", new URL("later/own_tank.js", url).pathname]]);
   });
 });
 

@@ -10,7 +10,7 @@ async function load(file) {
   const { outputFiles } = await esbuild.build({ entryPoints, bundle: true, write: false, format: "esm", legalComments: "none" });
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 }
-const { unzip } = await load("later/unzip.js");
+const { unzip } = await load("unzip.js");
 const { TankSet } = await load("tank_set.js");
 
 const MEGABYTE = 1 << 20;

@@ -1,5 +1,5 @@
 /*! Unpacks with fflate, © 2020 Arjun Barrett and contributors, MIT licence, https://github.com/101arrowz/fflate */
-// Takes files out of a zip archive: loaded only when somebody brings one. Nothing that an archive says of itself
+// Takes files out of a zip archive. Nothing that an archive says of itself
 // is believed: what comes out is counted as it comes.
 import { Inflate } from "fflate";
 

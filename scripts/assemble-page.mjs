@@ -18,6 +18,8 @@
 //   fetch(url) works in both forms of the page (in tanklab.html it is a data: address); bytes are what
 //   arrives after decompression, for the progress bar. The bytes of the program go into the factory as
 //   wasmBinary. The same list is written as files.json.
+// - Each module in web/later/ is bundled by itself and not loaded with the page; "later" in that list has its
+//   address by its name, for import().
 import fs from "node:fs";
 import path from "node:path";
 import { createHash } from "node:crypto";
@@ -72,7 +74,7 @@ async function bundle(entry) {
     format: "esm",
     target: "es2021",
     charset: "utf8",
-    legalComments: "none",
+    legalComments: "inline",
     logLevel: "warning",
     loader: { ".svg": "dataurl", ".png": "dataurl", ".woff2": "dataurl" },
     plugins: [programs],
@@ -134,6 +136,15 @@ const describe = (address) => ({
 });
 const filesOfSite = describe((file, bytes) => versioned(file, bytes));
 const filesInside = describe((file, bytes, type) => dataUrl(type, bytes));
+
+// Modules that are fetched when they are first needed stand each by itself.
+for (const file of filesBelow(path.join(given.web, "later"))) {
+  const name = path.basename(file, ".js");
+  const script = await bundle(path.join(given.web, "later", file));
+  site.set(`later/${file}`, script);
+  (filesOfSite.later ??= {})[name] = versioned(`later/${file}`, script);
+  (filesInside.later ??= {})[name] = dataUrl("text/javascript", script);
+}
 site.set("files.json", `${JSON.stringify(filesOfSite, null, 1)}\n`);
 
 // --- The page ------------------------------------------------------------------------------------------
@@ -209,7 +220,7 @@ if (fs.existsSync(local("index.html"))) {
 
 writeFolder(given.out, site);
 const size = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
-const script = Buffer.concat([...site].filter(([file]) => file.endsWith(".js")).map(([, bytes]) => bytes));
+const script = Buffer.concat([...site].filter(([file]) => file.endsWith(".js") && !file.startsWith("later/")).map(([, bytes]) => bytes));
 for (const [name, bytes] of [["program", wasm], ["script", script]]) {
   console.log(`${name.padEnd(8)} ${size(bytes.length).padStart(10)} ${size(gzipSync(bytes, { level: 9 }).length).padStart(10)} gzipped`);
 }

@@ -8,6 +8,7 @@ import { readKeyboardLayout } from "./key_labels.js";
 import { showKeys } from "./keys_panel.js";
 import { hideProgress, loadFiles, showProgress } from "./load.js";
 import { dismiss, notify } from "./notices.js";
+import { joinOwnTank } from "./own_tank.js";
 import { joinPanels } from "./panels.js";
 import { Program } from "./program.js";
 import { joinShareButton } from "./share.js";
@@ -59,6 +60,7 @@ async function start(program) {
   joinPanels({ canvas, program, bare, task: /(^|[#&;])(task|figure)=/.test(location.hash) });
   followAddress(program);
   joinShareButton(program);
+  joinOwnTank({ canvas, ...parts });
   followFocus(canvas);
 
   program.start(location.hash.slice(1));

@@ -5,7 +5,7 @@ import { dismiss, notify } from "./notices.js";
 import { throttled } from "./throttle.js";
 
 const LINES_KEPT = 40; // of what the program printed, for a failure's details
-const RETURNS = { draw: "void", draw_calls: "number" }; // the other functions return texts
+const RETURNS = { draw: "void", forget_files: "void", draw_calls: "number" }; // the other functions return texts
 
 /** Tells whether an error came out of the WebAssembly module: a trap, an abort, a stack that ran over. */
 const isFromModule = (error) => error instanceof WebAssembly.RuntimeError || /wasm/i.test(error?.stack ?? "");
@@ -78,11 +78,24 @@ export class Program {
   command = (name, value = 1) => refuse(this.#call("command", String(name), Number(value)));
   link = () => this.#call("link");
   capture = () => JSON.parse(this.#call("capture"));
+  assetManifest = () => JSON.parse(this.#call("asset_manifest"));
   hits = () => JSON.parse(this.#call("hits"));
   drawCalls = () => this.#call("draw_calls");
   tasks = () => this.#tasksAndFigures().filter((row) => row.kind === "task");
   figures = () => this.#tasksAndFigures().filter((row) => row.kind === "figure");
   draw = () => void this.#call("draw");
+
+  /** Shows a tank made of files: [{name, bytes}]. Returns {error, notes}: "" or a sentence that says why the
+      tank stays as it was, and sentences about the new one. */
+  bringTank(files) {
+    try {
+      for (const file of files) this.#add(file);
+    } catch (error) {
+      this.#call("forget_files");
+      return { error: error.message, notes: [] };
+    }
+    return JSON.parse(this.#call("bring_tank"));
+  }
 
   /** Opens a fragment and returns what was wrong with it, a sentence each. */
   openLink = (fragment) => JSON.parse(this.#call("open_link", String(fragment)));

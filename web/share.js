@@ -23,6 +23,7 @@ export function joinShareButton(program) {
       if (!(await copyText(address, field))) return;
       dismiss("share");
     }
+    if (program.newest.tank === "own") notify("The link shows a tank of your own files, and they are not in it: whoever opens it is asked for them.", { topic: "share" });
     button.textContent = "Copied";
     button.classList.add("done");
     clearTimeout(timer);

@@ -34,7 +34,7 @@ tank::TurretRoof roof_of(const mesh::ObjMesh& turret)
                 return glm::dvec3(turret.positions[static_cast<std::size_t>(face.vertices[i].position)]);
             };
             const std::optional<double> height = height_at(corner(0), corner(1), corner(2), place_x, place_z);
-            if (height && (!highest || *height > *highest)) {
+            if (height && (!highest || static_cast<float>(*height) > *highest)) {
                 highest = static_cast<float>(*height);
             }
         }

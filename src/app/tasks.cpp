@@ -99,7 +99,7 @@ constexpr Task TASKS[] = {
      .commands = {"fire", "fire_at_aim", "next_handle", "projectile_left", "projectile_right",
                   "projectile_up", "projectile_down", "next_particles"},
      .link = "distance=14&look_z=0.8&line_ax=10&line_ay=2.4&line_az=2&line_bx=0&line_by=2.4&line_bz=1"
-             "&event=fire&tick=32",
+             "&speed=5&event=fire&tick=82",
      .source = "src/app/sparks.cpp"},
     {.kind = TaskKind::task,
      .id = "3.1",

@@ -56,6 +56,12 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_asset_manifest()
     return kept(app::asset_manifest_json());
 }
 
+/// Forgets the files added since the start, where not all of them could be.
+EMSCRIPTEN_KEEPALIVE void tanklab_forget_files()
+{
+    page().forget_files();
+}
+
 /// Reads the files added since as the user's own tank and shows it. Returns what came of it as JSON
 /// (platform::WebPage::bring_tank).
 EMSCRIPTEN_KEEPALIVE const char* tanklab_bring_tank()

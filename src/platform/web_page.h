@@ -25,6 +25,8 @@ public:
     /// Returns "" or a sentence that says what is wrong; start() may be called again then, with better files.
     std::string start(std::string_view fragment);
 
+    void forget_files() { files_.clear(); }
+
     /// Reads a tank that the user brought from the files added since the start, and shows it, keeping the
     /// rest of the state. Returns {`error`, `notes`} as JSON: "" or a sentence that says what is wrong, and
     /// nothing has changed then; and what people should know of the tank, a sentence each. The files are

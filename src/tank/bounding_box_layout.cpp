@@ -52,8 +52,7 @@ void place_secondary_gun(Layout& layout, const Box& turret, const Box& box, cons
     const float z = -size.z / 9.0f;
     const float height = roof_or_usual(roof, turret, axis.x + x, axis.z + z);
     layout[Part::secondary_gun].pivot = {x, height - axis.y, z};
-    layout[Part::secondary_gun].mesh_offset = {-middle_of(box).x, -box.minimum.y,
-                                               -(box.minimum.z + 0.1f * size_of(box).z)};
+    layout[Part::secondary_gun].mesh_offset = {-middle_of(box).x, -box.minimum.y, -box.minimum.z};
 }
 
 void place_wheels(Layout& layout, const Box& body, const Box& box)

@@ -64,8 +64,8 @@ Box placed(const Assets& assets, Part part, const tank::JointAngles& angles = {}
 void expect_box(const Box& box, const glm::vec3& minimum, const glm::vec3& maximum)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_NEAR(box.minimum[axis], minimum[axis] * UNIT, 1e-4) << "axis " << axis;
-        EXPECT_NEAR(box.maximum[axis], maximum[axis] * UNIT, 1e-4) << "axis " << axis;
+        EXPECT_NEAR(box.minimum[axis], double(minimum[axis]) * UNIT, 1e-4) << "axis " << axis;
+        EXPECT_NEAR(box.maximum[axis], double(maximum[axis]) * UNIT, 1e-4) << "axis " << axis;
     }
 }
 
@@ -306,7 +306,7 @@ TEST(UsersTankTest, AnyOtherSetIsLaidOutByItsBoxes)
     EXPECT_GT(gun.maximum.z, turret.maximum.z + 2.0f);
     EXPECT_NEAR(0.5f * (gun.minimum.x + gun.maximum.x), 0.0f, 0.05f);
     const Box secondary = placed(tank.assets, Part::secondary_gun);
-    EXPECT_NEAR(secondary.minimum.y, turret.minimum.y + (MADE_ROOF + 3.0f) * UNIT, 1e-4);
+    EXPECT_NEAR(secondary.minimum.y, double(turret.minimum.y) + double(MADE_ROOF + 3.0f) * UNIT, 1e-4);
 }
 
 TEST(UsersTankTest, MeshesThatNoScaleMakesATankAreRefused)

@@ -1,5 +1,8 @@
 #include "platform/program.h"
 
+#include "app/links.h"
+#include "app/users_tank.h"
+#include "original_set.h"
 #include "platform/asset_files.h"
 #include "platform/offscreen_target.h"
 #include "scene/read_pixels.h"
@@ -55,6 +58,41 @@ TEST_F(Program, ShowsWhatACommandChanged)
     program.command("turret", 0.0);
     program.draw_if_changed(WIDTH, HEIGHT);
     EXPECT_EQ(before, scene::read_pixels(WIDTH, HEIGHT));
+}
+
+TEST_F(Program, ShowsATankThatIsBroughtAndOursAgain)
+{
+    program.command("turret", 20.0);
+    program.draw_if_changed(WIDTH, HEIGHT);
+    const auto ours = scene::read_pixels(WIDTH, HEIGHT);
+    const app::Files files = app::original_set();
+    for (int time = 0; time < 2; ++time) { // the second one takes the place of the first
+        ASSERT_EQ(program.bring(app::read_users_tank(files.views()).value().assets), "");
+        EXPECT_EQ(app::link(program.state()), "turret=20&tank=own");
+        EXPECT_TRUE(program.draw_if_changed(WIDTH, HEIGHT));
+        EXPECT_NE(ours, scene::read_pixels(WIDTH, HEIGHT));
+    }
+    program.command("tank", 0.0);
+    EXPECT_TRUE(program.draw_if_changed(WIDTH, HEIGHT));
+    EXPECT_EQ(ours, scene::read_pixels(WIDTH, HEIGHT));
+    program.open_link("turret=20&tank=own");
+    EXPECT_TRUE(program.draw_if_changed(WIDTH, HEIGHT));
+    EXPECT_NE(ours, scene::read_pixels(WIDTH, HEIGHT));
+}
+
+TEST_F(Program, KeepsTheTankWhenOpenGlRefusesAnother)
+{
+    program.draw_if_changed(WIDTH, HEIGHT);
+    const auto ours = scene::read_pixels(WIDTH, HEIGHT);
+    const app::Files files = app::original_set();
+    app::Assets assets = app::read_users_tank(files.views()).value().assets;
+    assets.texture = {
+        .width = 1 << 17, .height = 1, .channels = 3, .pixels = std::vector<std::uint8_t>(3u << 17)};
+    EXPECT_NE(program.bring(std::move(assets)).find("OpenGL could not take"), std::string::npos);
+    EXPECT_EQ(app::link(program.state()), "");
+    EXPECT_FALSE(program.simulation().has_own_tank());
+    program.draw_if_changed(WIDTH, HEIGHT);
+    EXPECT_EQ(ours, scene::read_pixels(WIDTH, HEIGHT));
 }
 
 TEST_F(Program, MovesWhatIsHeldByTheTimeThatPasses)

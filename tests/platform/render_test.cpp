@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 
 #include "mesh/image.h"
+#include "original_set.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -48,6 +49,18 @@ protected:
     Finished draw_assets(const fs::path& assets)
     {
         return render({"", "--size", "64x48", "--out", picture(), "--assets", assets.string()});
+    }
+
+    /// Writes a set like the lab's into a folder in `name` and returns the outermost one.
+    std::string made_set(const std::string& name, const app::OriginalSetOptions& options)
+    {
+        const app::Files files = app::original_set(options);
+        for (const app::AssetFile& file : files.views()) {
+            const fs::path path = folder.path() / name / file.name;
+            fs::create_directories(path.parent_path());
+            write_file(path, {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()});
+        }
+        return (folder.path() / *fs::path(name).begin()).string();
     }
 
     /// Expects exit status 2, one sentence that contains `words`, and no picture.
@@ -219,13 +232,61 @@ TEST_F(Render, SaysWhereAFileIsWrong)
     }
 }
 
+TEST_F(Render, DrawsATankWithoutATextureInOneColourAndSaysSo)
+{
+    const fs::path assets = own_assets();
+    ASSERT_EQ(draw_assets(assets).err, "");
+    const std::string textured = read_file(picture());
+    fs::remove(assets / "texture.jpg");
+    const Finished finished = draw_assets(assets);
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_NE(finished.err.find("no texture"), std::string::npos) << finished.err;
+    EXPECT_NE(read_file(picture()), textured);
+}
+
+TEST_F(Render, AssemblesTheLabsOwnDataWhereverTheyLieInTheFolder)
+{
+    const Finished finished = render({"turret=20", "--state", "--assets", made_set("lab/Lab 3/tank", {})});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_NE(finished.err.find("the lab's own tank"), std::string::npos) << finished.err;
+    EXPECT_NE(finished.err.find("scaled by 0.04369"), std::string::npos) << finished.err;
+    EXPECT_NE(finished.out.find("\"link\":\"turret=20&tank=own\""), std::string::npos) << finished.out;
+    EXPECT_NE(finished.out.find("\"has_own_tank\":true"), std::string::npos);
+}
+
+TEST_F(Render, LightsNormalsOfAnyLengthAndFacesThatWindAgainstThemAlike)
+{
+    const std::string plain = made_set("plain", {.varied_normals = false, .reversed_faces = false});
+    const std::string quirky = made_set("quirky", {});
+    for (const char* renderer : {"emulated", "reference"}) {
+        std::vector<std::string> pictures;
+        for (const std::string& set : {plain, quirky}) {
+            ASSERT_EQ(render({"#orbit=30", "--size", "200x120", "--out", picture(), "--renderer", renderer,
+                              "--assets", set})
+                          .status,
+                      0);
+            pictures.push_back(read_file(picture()));
+        }
+        EXPECT_EQ(pictures[0], pictures[1]) << renderer;
+    }
+}
+
+TEST_F(Render, SaysThatALinkNeedsTheUsersOwnFiles)
+{
+    const Finished finished = draw("turret=20&tank=own", "64x48", {"--state"});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_NE(finished.err.find("name the folder of its files with --assets"), std::string::npos)
+        << finished.err;
+    EXPECT_NE(finished.out.find("\"tank\":\"own\""), std::string::npos) << finished.out;
+    const std::string waiting = read_file(picture());
+    draw("turret=20");
+    EXPECT_EQ(waiting, read_file(picture())); // the program's own stands in
+}
+
 TEST_F(Render, SaysThatATextureIsNone)
 {
     const fs::path assets = own_assets();
-    for (const char* name : {"texture.jpg", "texture.png", "texture.tga"}) {
-        fs::remove(assets / name);
-    }
-    expect_refused(draw_assets(assets), "texture.png");
+    fs::remove(assets / "texture.jpg");
     for (const char* content : {"", "not a picture", "\x89PNG\r\n\x1a\n"}) {
         write_file(assets / "texture.png", content);
         expect_refused(draw_assets(assets), "texture.png");

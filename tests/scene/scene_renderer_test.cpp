@@ -316,6 +316,53 @@ TEST(SceneRendererLoading, KeepsTheAlphaOfATexture)
     EXPECT_EQ(std::vector<double>(arguments.end() - 4, arguments.end()), (std::vector<double>{1, 2, 3, 4}));
 }
 
+TEST(SceneRendererLoading, PutsAnotherTankInThePlaceOfTheFirstAndDeletesWhatThatHad)
+{
+    recording_gl::reset();
+    const app::Assets first = scene_test::assets();
+    app::Assets second = scene_test::assets();
+    second.layout[tank::Part::turret].pivot = {7.0f, 8.0f, 9.0f};
+    scene::SceneRenderer renderer;
+    ASSERT_EQ(renderer.load(first), "");
+    const unsigned old_list = renderer.tank_lists().list(tank::MeshKind::body);
+    const unsigned old_low_list = renderer.tank_lists().low_list(tank::MeshKind::body);
+    const auto before = static_cast<std::ptrdiff_t>(recording_gl::calls().size());
+    ASSERT_EQ(renderer.load_tank(second), "");
+    const std::vector<Call> calls(recording_gl::calls().begin() + before, recording_gl::calls().end());
+    std::vector<double> deleted;
+    for (const Call& call : calls) {
+        if (call.name == "glDeleteLists") {
+            deleted.push_back(call.arguments[0]);
+        }
+    }
+    EXPECT_EQ(deleted, (std::vector<double>{double(old_list), double(old_low_list)}));
+    ASSERT_NE(first_named(calls, "glDeleteTextures"), nullptr);
+    EXPECT_EQ(std::count_if(calls.begin(), calls.end(),
+                            [](const Call& call) { return call.name == "glTexImage2D"; }),
+              1);
+    EXPECT_EQ(&renderer.assets(), &second);
+}
+
+TEST(SceneRendererLoading, DrawsBothSidesOfFacesThatAreNoClosedSurface)
+{
+    for (const bool is_one_sided : {true, false}) {
+        recording_gl::reset();
+        app::Assets assets = scene_test::assets();
+        assets.is_one_sided = is_one_sided;
+        scene::SceneRenderer renderer;
+        ASSERT_EQ(renderer.load(assets), "");
+        recording_gl::reset();
+        app::State state;
+        state.show.ground = false;
+        renderer.draw(app::make_frame(state, assets), 320, 200);
+        const auto culls = [](const Call& call) {
+            return call.name == "glEnable" && call.arguments[0] == GL_CULL_FACE;
+        };
+        const auto& calls = recording_gl::calls();
+        EXPECT_EQ(std::any_of(calls.begin(), calls.end(), culls), is_one_sided);
+    }
+}
+
 TEST(SceneRendererLoading, SaysWhatOpenGlRefused)
 {
     const app::Assets assets = scene_test::assets();

@@ -48,6 +48,9 @@ void draw_wire(const app::SphereInFrame& sphere, std::uint8_t Opacity::*use, con
 
 void draw_spheres(const app::Frame& frame, const Shapes& shapes)
 {
+    if (frame.used_spheres().empty()) {
+        return;
+    }
     const Blended blended;
     use_plain_material();
     const Enabled colour_material(GL_COLOR_MATERIAL);

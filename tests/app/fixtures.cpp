@@ -57,7 +57,7 @@ std::vector<AssetFile> Files::views() const
 
 const Assets& tiny_assets()
 {
-    static const Assets ASSETS = [] {
+    static const Assets MADE = [] {
         const Files files = Files::complete();
         mesh::Result<Assets> assets = read_assets(files.views());
         if (!assets) {
@@ -65,7 +65,7 @@ const Assets& tiny_assets()
         }
         return assets.value();
     }();
-    return ASSETS;
+    return MADE;
 }
 
 Files own_files()
@@ -86,7 +86,7 @@ Files own_files()
 
 const Assets& own_assets()
 {
-    static const Assets ASSETS = [] {
+    static const Assets MADE = [] {
         const Files files = own_files();
         mesh::Result<Assets> assets = read_assets(files.views());
         if (!assets) {
@@ -94,7 +94,7 @@ const Assets& own_assets()
         }
         return assets.value();
     }();
-    return ASSETS;
+    return MADE;
 }
 
 double next_unit(std::mt19937_64& random)

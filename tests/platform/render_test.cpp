@@ -207,7 +207,9 @@ TEST_F(Render, NamesTheFilesThatAreMissing)
     const fs::path assets = own_assets();
     fs::remove(assets / "tankobjs/tankwheel.obj");
     expect_refused(draw_assets(assets), "tankwheel.obj");
-    expect_refused(draw_assets(folder.path()), "tankbody.obj"); // a folder with nothing of use
+    const fs::path nothing_of_use = folder.path() / "empty";
+    fs::create_directory(nothing_of_use);
+    expect_refused(draw_assets(nothing_of_use), "tankbody.obj");
 }
 
 TEST_F(Render, SaysWhereAFileIsWrong)

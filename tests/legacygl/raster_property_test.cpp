@@ -135,6 +135,7 @@ protected:
         context = std::make_unique<legacygl::Context>(std::move(made), 64, 48);
         legacygl::current_context = context.get();
         glEnable(GL_POLYGON_STIPPLE); // Quads are then cut along the same diagonal at once and from a list.
+        glEnable(GL_COLOR_MATERIAL);  // Or lighting reads no colour, and a draw need not have the right one.
         glPolygonOffset(1, 2);
     }
 };

@@ -11,6 +11,10 @@ using namespace oracle;
 
 namespace {
 
+/// GL_ALL_ATTRIB_BITS of OpenGL 1.3 and newer; Emscripten's <GL/gl.h> has that of 1.2, without
+/// GL_MULTISAMPLE_BIT.
+constexpr GLbitfield ALL_GROUPS = 0xffffffff;
+
 struct Variable
 {
     GLenum name;
@@ -279,10 +283,10 @@ SCENE(attribute_groups_save_what_the_tables_say)
     }
     tell("all groups");
     set_everything(false);
-    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glPushAttrib(ALL_GROUPS);
     set_everything(true);
     glPopAttrib();
-    tell_everything(GL_ALL_ATTRIB_BITS);
+    tell_everything(ALL_GROUPS);
     tell_error("left");
 }
 
@@ -302,7 +306,7 @@ SCENE(attribute_stack_depth_and_errors)
         TELL_STATE(GL_FOG_DENSITY, 1);
     }
     glBegin(GL_TRIANGLES);
-    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glPushAttrib(ALL_GROUPS);
     glPopAttrib();
     glEnd();
     tell_error("inside");
@@ -383,7 +387,7 @@ SCENE(popped_state_draws)
     three_dimensions();
     glRotatef(30, 1, 1, 0);
     glEnable(GL_LIGHT0);
-    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glPushAttrib(ALL_GROUPS);
     set_everything(true);
     glPopAttrib();
     glEnable(GL_LIGHTING);

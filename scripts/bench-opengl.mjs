@@ -18,8 +18,8 @@ const PAGE = fileURLToPath(new URL("../build/web-build/tests/bench/page", import
 const NATIVE = fileURLToPath(new URL("../build/native/tests/bench", import.meta.url));
 const FRAMES = 100;
 const BATCH = 10;
-const BATCHES = 15;
-const WARM_UP_BATCHES = 10;
+const BATCHES = 9;
+const WARM_UP_BATCHES = 4;
 const PAGE_TIMEOUT = 120_000;
 const BROWSERS = { SwiftShader: "chromium", Mesa: "chromium-mesa" };
 

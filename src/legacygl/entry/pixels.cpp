@@ -3,6 +3,7 @@
 #include "legacygl/dispatch.h"
 #include "legacygl/pixel_conversion.h"
 #include "legacygl/read_back.h"
+#include "legacygl/undone.h"
 
 using namespace legacygl;
 
@@ -67,6 +68,10 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
         [pixels](Context& gl, GLint left, GLint bottom, GLsizei w, GLsizei h, GLenum f, GLenum t) {
             if (w < 0 || h < 0)
                 return gl.set_error(GL_INVALID_VALUE);
+            if (f == GL_DEPTH_COMPONENT || f == GL_STENCIL_INDEX) {
+                LEGACYGL_REFUSE("glReadPixels of depth and stencil");
+                return;
+            }
             if (const GLenum error = format_type_error(f, t); error != GL_NO_ERROR)
                 return gl.set_error(error);
             const PixelRectangle r = clip_to_frame(gl, left, bottom, w, h);

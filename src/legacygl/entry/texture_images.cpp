@@ -4,10 +4,17 @@
 #include "legacygl/pixel_conversion.h"
 #include "legacygl/texture_image.h"
 #include "legacygl/texture_targets.h"
+#include "legacygl/undone.h"
 
 using namespace legacygl;
 
 namespace {
+
+/// Colour indices become colours by the pixel maps, which there are none of yet.
+void refuse_color_indices()
+{
+    LEGACYGL_REFUSE("a texture image of colour indices");
+}
 
 /// What glTexImage says of an image; 1D images are one texel high.
 struct ImageRequest
@@ -74,6 +81,8 @@ void image(const char* entry, GLenum target, const ImageRequest& request, const 
 {
     if (!current_context)
         return;
+    if (request.format == GL_COLOR_INDEX)
+        return refuse_color_indices();
     const std::optional<ImageTarget> found = find_image_target(target, request.dimensions);
     if (found && found->proxy)
         return dispatch_now(
@@ -124,6 +133,8 @@ void part(const char* entry, GLenum target, GLenum wanted, const PartRequest& re
 {
     if (!current_context)
         return;
+    if (request.format == GL_COLOR_INDEX)
+        return refuse_color_indices();
     const PixelStore store = current_context->state.unpack;
     const std::size_t size = pixels ? client_image_bytes(store, request.part.width, request.part.height,
                                                          request.format, request.type)

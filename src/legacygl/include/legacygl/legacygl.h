@@ -117,8 +117,9 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glAreTexturesResident, glTexImage1D, glTexImage2D (proxies too), glTexSubImage1D, glTexSubImage2D,
    glCopyTexImage1D, glCopyTexImage2D, glCopyTexSubImage1D, glCopyTexSubImage2D, glGetTexImage, glTexParameter,
    glTexEnv, glTexGen, glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace,
-   glLineWidth, glPointSize, glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc,
-   glStencilOp, glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask,
+   glLineWidth, glLineStipple, glPointSize, glPolygonMode, glPolygonStipple, glPolygonOffset, glEdgeFlag,
+   glClipPlane, glLogicOp, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp,
+   glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask,
    glIndexMask, glSampleCoverage, glFog; glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex,
    glClearAccum, glDrawBuffer, glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays
    (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib,
@@ -133,10 +134,7 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glPopName do nothing, as in OpenGL outside selection); glMap, glGetMap, glMapGrid, glEvalCoord, glEvalMesh,
    glEvalPoint; glAccum; reading depth and stencil with glReadPixels and images of colour indices; and what
    <GL/gl.h> declares of volumes (glTexImage3D …), of compressed images (glCompressedTexImage2D …) and of the
-   imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …).
-
-   Not implemented, and not defined: glPolygonMode, glEdgeFlag, glLineStipple, glPolygonStipple, glLogicOp,
-   glClipPlane and their queries.
+   imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …), and glBlendEquationSeparateATI.
 
    Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. Line widths beyond
    what the ES implementation draws are drawn as wide as it can. Quads are cut along the diagonal that Mesa

@@ -7,7 +7,7 @@ import { dismiss, notify } from "./notices.js";
 const TOPIC = "own-tank";
 const PROGRESS_MS = 200; // what is over sooner needs no word
 const NEEDED =
-  "This link shows a tank of somebody’s own files, which are not in it. Drop them on the page or choose them: tankLab.zip, tankLOD.zip or the folder tankobjs. Until then the lab’s tank stands in.";
+  "This link shows a tank of somebody’s own files, which are not in it. Drop them on the page or choose them: tankLab.zip, tankLOD.zip or the folder tankobjs. Until then Tank Lab’s own stands in.";
 
 /** Returns a hidden input for files, which choose() opens. */
 function input(attributes, take) {
@@ -90,7 +90,7 @@ export function joinOwnTank({ canvas, program, act }) {
     const { error, notes } = program.bringTank(all);
     if (error) throw new Error(`${error.replace(/\.?$/, ".")} The tank stays as it was.`);
     set.shown(all);
-    tell(notes.join(" ") || "These are the lab’s tank’s own files.");
+    tell(notes.join(" ") || "These are Tank Lab’s own files.");
     box.close();
     canvas.focus({ preventScroll: true });
   };
@@ -123,7 +123,7 @@ export function joinOwnTank({ canvas, program, act }) {
   folder.id = "own-tank-folder";
   const choosers = () => element("span", "buttons", ...chooserButtons());
   const chooserButtons = () => [button("strong", "Choose files", () => files.click()), button("", "Choose a folder", () => folder.click())];
-  const back = button("quiet", "Back to the lab’s tank", () => {
+  const back = button("quiet", "Back to Tank Lab’s tank", () => {
     act("tank", 0);
     box.close();
   });

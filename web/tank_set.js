@@ -25,8 +25,11 @@ export class TankSet {
   /** Adds files to those that wait; files without a high model go to the tank that is shown.
       Returns {files, missing}: what to make a tank of, and a sentence about what that needs first, or "". */
   add(files) {
-    let all = merged(this.#waiting, files);
-    const missingOf = (names) => names.filter((name) => !all.some((file) => baseName(file.name) === name.toLowerCase()));
+    const missingIn = (some, names) => names.filter((name) => !some.some((file) => baseName(file.name) === name.toLowerCase()));
+    // All high models begin a tank of their own: what waits of another one is none of it.
+    const begins = missingIn(files, this.#high).length === 0 && missingIn(this.#waiting, this.#high).length < this.#high.length;
+    let all = merged(begins ? [] : this.#waiting, files);
+    const missingOf = (names) => missingIn(all, names);
     if (missingOf(this.#high).length === this.#high.length) all = merged(this.#shown, all);
     const [high, low] = [missingOf(this.#high), missingOf(this.#low)];
     let missing = "";

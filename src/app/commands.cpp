@@ -218,7 +218,7 @@ constexpr Command OWN_COMMANDS[] = {
     press("next_parts", "Draw all parts or only some", Group::picture, {Key::digit_6}, next<parts>),
     press("next_axis", "Draw the axis of the next part", Group::picture, {Key::digit_7}, next<axis>),
     press("toggle_wireframe", "Draw edges or faces", Group::picture, {Key::z}, next<wireframe>),
-    press("next_tank", "Show the lab's tank or your own", Group::picture, {Key::digit_0}, next<tank>),
+    press("next_tank", "Show Tank Lab's tank or your own", Group::picture, {Key::digit_0}, next<tank>),
     press("next_task_1", "Open the next task of section 1", Group::program, {Key::digit_1},
           open_next<TaskKind::task, '1'>),
     press("next_task_2", "Open the next task of section 2", Group::program, {Key::digit_2},

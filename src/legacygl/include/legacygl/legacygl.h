@@ -109,24 +109,25 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glDepthRange; glGenLists, glNewList, glEndList, glCallList, glCallLists, glListBase, glDeleteLists,
    glIsList; glLight, glLightModel, glMaterial, glColorMaterial, glShadeModel; glGenTextures, glBindTexture,
    glDeleteTextures, glIsTexture, glTexImage1D, glTexImage2D, glTexParameter, glTexEnv, glTexGen,
-   glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace, glLineWidth, glPointSize,
-   glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp,
-   glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask, glFog;
-   glClear, glClearColor, glClearDepth, glClearStencil, glFlush, glFinish, glReadPixels, glPixelStore; the
-   vertex arrays (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glGet for the
-   state of these, glGetError, glGetString, glGetPointerv, glHint. Of GLU: projections, quadrics, mipmaps, glu
-   strings; what GLU lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names
-   it).
+   glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace, glPolygonMode,
+   glPolygonStipple, glPolygonOffset, glEdgeFlag, glLineWidth, glLineStipple, glPointSize, glPointParameter,
+   glProvokingVertex, glClipPlane, glGetClipPlane, glGetPolygonStipple, glLogicOp, glDepthFunc, glDepthMask,
+   glAlphaFunc, glScissor, glStencilFunc, glStencilOp, glStencilMask, glBlendFunc, glBlendFuncSeparate,
+   glBlendEquation, glBlendColor, glColorMask, glFog; glClear, glClearColor, glClearDepth, glClearStencil,
+   glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays (glVertexPointer … glDrawElements,
+   glInterleavedArrays) and buffer objects; glGet for the state of these, glGetError, glGetString,
+   glGetPointerv, glHint. Of GLU: projections, quadrics, mipmaps, glu strings; what GLU lacks says so once on
+   stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
 
-   Not implemented, and not defined: glPushAttrib, glPopAttrib and their client forms; glPolygonMode,
-   glEdgeFlag, glLineStipple, glPolygonStipple, glLogicOp; glClipPlane; glTexSubImage, glCopyTexImage,
-   glCopyTexSubImage, glGetTexImage, proxy textures, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen,
-   glGetTexParameter, glGetClipPlane, glDrawBuffer, glReadBuffer; raster positions, glBitmap, glDrawPixels,
+   Not implemented, and not defined: glPushAttrib, glPopAttrib and their client forms; glTexSubImage,
+   glCopyTexImage, glCopyTexSubImage, glGetTexImage, proxy textures, glGetLight, glGetMaterial, glGetTexEnv,
+   glGetTexGen, glGetTexParameter, glDrawBuffer, glReadBuffer; raster positions, glBitmap, glDrawPixels,
    glCopyPixels, pixel transfer and maps; selection and feedback; evaluators; accumulation; colour index.
 
-   Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. GL_CLAMP samples as
-   GL_CLAMP_TO_EDGE, since ES has no border. Line widths beyond what the ES implementation draws are drawn as
-   wide as it can. Quads are cut along the diagonal that Mesa uses in display lists, also in immediate mode.
+   Differences: GL_CLAMP samples as
+   GL_CLAMP_TO_EDGE, since ES has no border. GL_POLYGON_SMOOTH has no effect,
+   as in Mesa's software renderer; smooth lines and points have a coverage that falls over their last pixel,
+   not an exact one. Edge flags count for all polygons, strips and fans too, as in Mesa.
    Textures are stored with eight bits a channel. An own target has one colour buffer. */
 
 #ifdef __cplusplus

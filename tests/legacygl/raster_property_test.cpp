@@ -82,9 +82,9 @@ private:
         case 2:
             return enable(GL_LINE_STIPPLE);
         case 3:
-            return enable(GL_CLIP_PLANE0 + static_cast<GLenum>(pick(6)));
+            return enable(GL_CLIP_PLANE0 + static_cast<GLenum>(pick(5)));
         case 4: {
-            const GLenum name = GL_CLIP_PLANE0 + static_cast<GLenum>(pick(6));
+            const GLenum name = GL_CLIP_PLANE0 + static_cast<GLenum>(pick(5));
             GLdouble equation[4];
             for (GLdouble& e : equation)
                 e = static_cast<double>(number());
@@ -142,6 +142,12 @@ protected:
         context = std::make_unique<legacygl::Context>(std::move(made), 64, 48);
         legacygl::current_context = context.get();
         glEnable(GL_POLYGON_STIPPLE); // Quads are then cut along the same diagonal at once and from a list.
+        glEnable(GL_COLOR_MATERIAL);  // Lit vertices then carry their colour too.
+        // A plane that cuts nothing off: all is then drawn by the CPU, also where the stream asks for
+        // nothing.
+        const GLdouble everywhere[4] = {0, 0, 0, 1};
+        glClipPlane(GL_CLIP_PLANE5, everywhere);
+        glEnable(GL_CLIP_PLANE5);
         glPolygonOffset(1, 2);
     }
 };

@@ -115,18 +115,19 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glCallLists, glListBase, glDeleteLists, glIsList; glLight, glLightModel, glMaterial, glColorMaterial,
    glShadeModel; glGenTextures, glBindTexture, glDeleteTextures, glIsTexture, glPrioritizeTextures,
    glAreTexturesResident, glTexImage1D, glTexImage2D (proxies too), glTexSubImage1D, glTexSubImage2D,
-   glCopyTexImage1D, glCopyTexImage2D, glCopyTexSubImage1D, glCopyTexSubImage2D, glGetTexImage, glTexParameter,
-   glTexEnv, glTexGen, glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace,
-   glLineWidth, glLineStipple, glPointSize, glPolygonMode, glPolygonStipple, glPolygonOffset, glEdgeFlag,
-   glClipPlane, glLogicOp, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp,
-   glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask,
-   glIndexMask, glSampleCoverage, glFog; glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex,
-   glClearAccum, glDrawBuffer, glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays
-   (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib,
-   glPushClientAttrib, glPopClientAttrib; glGet, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen,
-   glGetTexParameter, glGetTexLevelParameter, glGetPointerv, glGetError, glGetString, glHint; and their names
-   as extensions, which glGetString(GL_EXTENSIONS) lists. Of GLU: projections, quadrics, mipmaps, glu strings;
-   what GLU lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
+   glCopyTexImage1D, glCopyTexImage2D, glCopyTexSubImage1D, glCopyTexSubImage2D, glGetTexImage,
+   glTexParameter, glTexEnv, glTexGen, glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace,
+   glFrontFace, glLineWidth, glLineStipple, glPointSize, glPointParameter, glProvokingVertex, glPolygonMode,
+   glPolygonStipple, glPolygonOffset, glEdgeFlag, glClipPlane, glGetClipPlane, glGetPolygonStipple, glLogicOp,
+   glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp, glStencilMask, glBlendFunc,
+   glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask, glIndexMask, glSampleCoverage, glFog;
+   glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex, glClearAccum, glDrawBuffer,
+   glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays (glVertexPointer …
+   glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib, glPushClientAttrib,
+   glPopClientAttrib; glGet, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen, glGetTexParameter,
+   glGetTexLevelParameter, glGetPointerv, glGetError, glGetString, glHint; and their names as extensions,
+   which glGetString(GL_EXTENSIONS) lists. Of GLU: projections, quadrics, mipmaps, glu strings; what GLU lacks
+   says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
 
    Not implemented: a call sets GL_INVALID_OPERATION and says so once on stderr: glRasterPos, glBitmap,
    glDrawPixels, glCopyPixels, glPixelZoom, glPixelTransfer, glPixelMap, glGetPixelMap; glRenderMode but for
@@ -136,13 +137,14 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    <GL/gl.h> declares of volumes (glTexImage3D …), of compressed images (glCompressedTexImage2D …) and of the
    imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …), and glBlendEquationSeparateATI.
 
-   Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. Line widths beyond
-   what the ES implementation draws are drawn as wide as it can. Quads are cut along the diagonal that Mesa
-   uses in display lists, also in immediate mode. Textures are stored with eight bits a channel, or fewer where
-   their format says so; a texture's border texels are dropped, and the border's colour stands for them, as
-   with Mesa. Texels copied from the frame buffer are read back to the CPU. A window's framebuffer has no front
-   of its own: drawing into the front draws into the back. Multisampling and colour indices are state that
-   nothing shows. There are no accumulation and no auxiliary buffers, and no stereo. */
+   Differences: GL_POLYGON_SMOOTH has no effect, as in Mesa's software renderer; smooth lines and points have
+   a coverage that falls over their last pixel, not an exact one. Edge flags count for all polygons, strips
+   and fans too, as in Mesa. On the web, a blend whose factors are both the constant colour and the constant
+   alpha is refused by WebGL. Textures are stored with eight bits a channel, or fewer where their format says
+   so; a texture's border texels are dropped, and the border's colour stands for them, as with Mesa. Texels
+   copied from the frame buffer are read back to the CPU. A window's framebuffer has no front of its own:
+   drawing into the front draws into the back. Multisampling and colour indices are state that nothing shows.
+   There are no accumulation and no auxiliary buffers, and no stereo. */
 
 #ifdef __cplusplus
 }

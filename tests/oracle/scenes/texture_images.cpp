@@ -2,7 +2,7 @@
 // (OpenGL 1.5, 3.6.4, 3.8.1 to 3.8.8 and 6.1.4).
 
 #define GL_GLEXT_PROTOTYPES
-#include "scenes/queries.h"
+#include "scenes/texture_images.h"
 
 #include "scenes/common.h"
 
@@ -12,38 +12,6 @@
 using namespace oracle;
 
 namespace {
-
-/// Bytes that differ everywhere, the same on both sides.
-std::vector<GLubyte> noise(std::size_t count)
-{
-    std::vector<GLubyte> bytes(count);
-    unsigned state = 12345;
-    for (GLubyte& b : bytes) {
-        state = state * 1103515245u + 12345u;
-        b = static_cast<GLubyte>(state >> 16);
-    }
-    return bytes;
-}
-
-void parameters(GLenum filter, GLenum wrap)
-{
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(filter));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(filter));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap));
-}
-
-/// Draws a rectangle of the texture, its coordinates from `low` to `high`.
-void quad(float x, float y, float width, float height, float low = 0, float high = 1)
-{
-    glBegin(GL_TRIANGLE_STRIP);
-    for (int i = 0; i < 4; ++i) {
-        glTexCoord2f(i % 2 ? high : low, i / 2 ? high : low);
-        glVertex2f(x + (i % 2 ? width : 0), y + (i / 2 ? height : 0));
-    }
-    glEnd();
-}
-
 void tell_texels(GLenum target, GLint level, GLenum format, GLenum type, std::size_t bytes)
 {
     std::vector<GLubyte> out(bytes, 77);
@@ -53,26 +21,6 @@ void tell_texels(GLenum target, GLint level, GLenum format, GLenum type, std::si
         line += " " + std::to_string(b);
     tell(line);
     tell_error("texels");
-}
-
-/// Mesa calls the format of a level that is not there GL_RGBA, the specification 1 (OpenGL 1.5, table 6.16):
-/// only formats of levels that are there are told.
-void tell_level(GLenum target, GLint level)
-{
-    GLint width = 0;
-    glGetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
-    for (GLenum name : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT, GL_TEXTURE_BORDER,
-                        GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
-                        GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_INTENSITY_SIZE}) {
-        if (name == GL_TEXTURE_INTERNAL_FORMAT && width == 0)
-            continue;
-        GLint integer = -7;
-        GLfloat real = -7;
-        glGetTexLevelParameteriv(target, level, name, &integer);
-        glGetTexLevelParameterfv(target, level, name, &real);
-        tell(std::to_string(name) + " " + std::to_string(integer) + " " + std::to_string(real));
-    }
-    tell_error("level");
 }
 
 constexpr GLenum PACKED[] = {
@@ -263,88 +211,8 @@ SCENE(texture_copies)
     tell_error("no such level");
 }
 
-SCENE(texture_clamp_shows_the_border_colour)
-{
-    two_dimensions();
-    glEnable(GL_TEXTURE_2D);
-    const GLfloat border[] = {0.9f, 0.1f, 0.3f, 0.6f};
-    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
-    int i = 0;
-    for (GLint format : {GL_RGBA, GL_LUMINANCE, GL_RGB}) {
-        glTexImage2D(GL_TEXTURE_2D, 0, format, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, noise(64).data());
-        for (GLenum wrap : {GL_CLAMP, GL_CLAMP_TO_BORDER})
-            for (GLenum filter : {GL_NEAREST, GL_LINEAR}) {
-                parameters(filter, wrap);
-                quad(4 * static_cast<float>(i % 4) + 0.1f, 4 * static_cast<float>(i / 4) + 0.1f, 3.8f, 3.8f,
-                     -0.4f, 1.4f);
-                ++i;
-            }
-    }
-}
-
-SCENE(texture_clamp_in_one_coordinate_and_dimension)
-{
-    two_dimensions();
-    glEnable(GL_TEXTURE_2D);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, noise(64).data());
-    parameters(GL_LINEAR, GL_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP);
-    quad(0.2f, 0.2f, 7, 5, -0.5f, 1.5f);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP);
-    quad(8, 0.2f, 7, 5, -0.5f, 1.5f);
-    glDisable(GL_TEXTURE_2D);
-    glEnable(GL_TEXTURE_1D);
-    glTexImage1D(GL_TEXTURE_1D, 0, GL_RGB, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, noise(16).data());
-    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP);
-    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    quad(0.2f, 6, 7, 5, -0.5f, 1.5f);
-}
-
 // Which level ES samples is not told to the shader that weighs the border: along the line where the level
 // changes a few pixels take the border's width from the next one.
-SCENE(texture_clamp_with_mipmaps, {4, "the border's weight at the change of levels"})
-{
-    three_dimensions();
-    glEnable(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-    std::vector<GLubyte> pixels(64 * 64 * 3);
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        pixels[i] = static_cast<GLubyte>(i / 3 % 64 * 2 + i / 192 * 2);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 64, 64, 0, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
-    glRotatef(30, 1, 1, 0);
-    cube();
-}
-
-SCENE(texture_borders_are_dropped)
-{
-    two_dimensions();
-    glEnable(GL_TEXTURE_2D);
-    parameters(GL_LINEAR, GL_CLAMP);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 10, 6, 1, GL_RGB, GL_UNSIGNED_BYTE, noise(400).data());
-    tell_level(GL_TEXTURE_2D, 0);
-    quad(0.2f, 0.2f, 7, 5, -0.2f, 1.2f);
-    glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexImage1D(GL_TEXTURE_1D, 0, GL_RGB, 10, 1, GL_RGB, GL_UNSIGNED_BYTE, noise(30).data());
-    tell_level(GL_TEXTURE_1D, 0);
-    glDisable(GL_TEXTURE_2D);
-    glEnable(GL_TEXTURE_1D);
-    quad(8, 0.2f, 7, 5);
-    glDisable(GL_TEXTURE_1D);
-    glEnable(GL_TEXTURE_2D);
-    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 10, 10, 34, 18, 1);
-    tell_level(GL_TEXTURE_2D, 0);
-    quad(0.2f, 6, 7, 5);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 10, 6, 2, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
-    tell_error("border of 2");
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 1, 6, 1, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
-    tell_error("nothing but border");
-}
-
 SCENE(texture_proxies)
 {
     for (GLsizei size : {64, 63, 1 << 20}) {
@@ -475,25 +343,4 @@ SCENE(texture_names_and_residence)
     glPopAttrib();
     tell_state("bound again", GL_TEXTURE_BINDING_2D, 1);
     tell(std::to_string(glIsTexture(names[1])));
-}
-
-SCENE(texture_levels_between_base_and_maximum)
-{
-    three_dimensions();
-    glEnable(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 3);
-    for (int level = 1, size = 32; level < 4; ++level, size /= 2) {
-        const std::vector<GLubyte> pixels(static_cast<std::size_t>(size) * size,
-                                          static_cast<GLubyte>(60 * level));
-        glTexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, size, size, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
-                     pixels.data());
-    }
-    glBegin(GL_TRIANGLE_STRIP);
-    for (int i = 0; i < 4; ++i) {
-        glTexCoord2f(i % 2 ? 6.0f : 0.0f, i / 2 ? 9.0f : 0.0f);
-        glVertex3f(i % 2 ? 3.0f : -3.0f, -0.8f, i / 2 ? -12.0f : 3.0f);
-    }
-    glEnd();
 }

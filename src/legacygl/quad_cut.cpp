@@ -4,8 +4,7 @@ namespace legacygl {
 
 QuadCut::QuadCut(const State& state, const VertexBatch& batch, bool flat)
     : state_(state), batch_(batch), possible_(!flat && !state.raster.polygon_stipple.enabled)
-{
-}
+{}
 
 bool QuadCut::from_first(std::size_t i)
 {

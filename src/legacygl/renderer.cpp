@@ -58,6 +58,7 @@ Pipeline make_pipeline(const State& state)
     p.scissor_box = state.fragment.scissor_box;
     p.stencil = state.fragment.stencil;
     p.blend = state.fragment.blend;
+    p.blend.enabled = p.blend.enabled && !state.fragment.color_logic_op;
     p.polygon_offset = state.raster.polygon_offset_fill;
     p.polygon_offset_factor_units = {state.raster.polygon_offset_factor, state.raster.polygon_offset_units};
     if (state.fragment.draw_buffer == GL_NONE)
@@ -167,7 +168,7 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
                [&](std::span<glm::vec4> out) { fill_texturing(state, out); });
     if (key.reads_fragments() && (changed_ & fragments))
         refill(UniformGroup::fragments, fragments_layout::size(key.polygon_stipple),
-               [&](std::span<glm::vec4> out) { fill_fragments(state, out); });
+               [&](std::span<glm::vec4> out) { fill_fragments(state, target_copy_origin_, out); });
     if (changed_ & texturing)
         for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
             Texture* used = state.texturing.used(state.texturing.units[unit]);
@@ -233,7 +234,7 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
     const RasterWork work{raster.unfilled(), wide, raster.line_smooth, raster.point_smooth};
     const bool own_materials = state.lighting.enabled && !batch.material_changes.empty();
     const bool all =
-        state.transform.clips() || own_materials ||
+        state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
         (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);
     const auto needs_work = [&](const Primitive& primitive) {
         switch (class_of(primitive.mode)) {
@@ -255,7 +256,8 @@ void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const R
     key.specular = key.specular || shines(batch);
     VertexShading shading(state, key);
     const std::vector<ShadedVertex> vertices = shading.shade(batch);
-    RasterOutput output(key, shading.viewport());
+    RasterOutput output(key, shading.viewport(), state.raster.line_width / 2,
+                        state.fragment.effective_logic_op() != GL_COPY);
     PrimitivePipeline stages(state, key, work, shading, stipple_counter_, output);
     QuadCut quad_cut(state, batch, takes_vertex_color(state, batch) || work.unfilled);
     for (std::size_t p = 0; p < batch.primitives.size(); ++p) {
@@ -270,24 +272,50 @@ void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const R
 void Renderer::draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
                            const RasterOutput& output)
 {
-    const auto floats = static_cast<std::size_t>(output.format().floats());
     for (const ShadedDraw& draw : output.draws()) {
-        prepare(state, use(make_shaded_key(shading, draw.primitive, draw.coverage,
-                                           draw.polygons && state.raster.polygon_stipple.enabled)));
-        Pipeline& fixed = draw_state_.pipeline;
-        fixed = make_pipeline(state);
-        if (work.unfilled || !draw.polygons)
-            fixed.cull_face = fixed.polygon_offset = false;
-        for (std::size_t i = 0; draw.grown && i < 2; ++i) {
-            fixed.viewport[i] -= RasterOutput::VIEWPORT_MARGIN;
-            fixed.viewport[i + 2] += 2 * RasterOutput::VIEWPORT_MARGIN;
-        }
-        const DrawRun run{draw.primitive, false, 0, draw.count};
-        backend_.draw_stream(draw_state_, output.format(),
-                             std::span(output.vertices()).subspan(draw.first * floats, draw.count * floats),
-                             {}, {&run, 1});
-        changed_ |= pipeline; // The next draw wants its own.
+        if (state.fragment.effective_logic_op() != GL_COPY && !copy_target(state, draw.box))
+            continue;
+        draw_shaded(state, shading, work, output, draw);
+        draw_state_.textures[TARGET_COPY_SAMPLER] = 0;
     }
+}
+
+/// Copies what a logic op combines a draw's fragments with. Returns false when all of it is out of sight.
+bool Renderer::copy_target(const State& state, const PixelBox& box)
+{
+    constexpr int MARGIN = RasterOutput::VIEWPORT_MARGIN;
+    const std::array<GLint, 4>& v = state.transform.viewport;
+    const PixelBox seen = box.within(
+        {std::max(0, v[0] - MARGIN), std::max(0, v[1] - MARGIN), v[0] + v[2] + MARGIN, v[1] + v[3] + MARGIN});
+    if (seen.empty())
+        return false;
+    draw_state_.textures[TARGET_COPY_SAMPLER] =
+        target_copy_.read(backend_, !state.fragment.draws_back(), seen);
+    target_copy_origin_ = {seen.x0, seen.y0, 0, 0};
+    changed_ |= fragments;
+    return true;
+}
+
+void Renderer::draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
+                           const RasterOutput& output, const ShadedDraw& draw)
+{
+    const bool stipple = draw.polygons && state.raster.polygon_stipple.enabled;
+    prepare(state, use(make_shaded_key(shading, draw.primitive, draw.coverage, stipple,
+                                       state.fragment.effective_logic_op())));
+    Pipeline& fixed = draw_state_.pipeline;
+    fixed = make_pipeline(state);
+    if (work.unfilled || !draw.polygons)
+        fixed.cull_face = fixed.polygon_offset = false;
+    for (std::size_t i = 0; draw.grown && i < 2; ++i) {
+        fixed.viewport[i] -= RasterOutput::VIEWPORT_MARGIN;
+        fixed.viewport[i + 2] += 2 * RasterOutput::VIEWPORT_MARGIN;
+    }
+    const auto floats = static_cast<std::size_t>(output.format().floats());
+    const DrawRun run{draw.primitive, false, 0, draw.count};
+    backend_.draw_stream(draw_state_, output.format(),
+                         std::span(output.vertices()).subspan(draw.first * floats, draw.count * floats), {},
+                         {&run, 1});
+    changed_ |= pipeline; // The next draw wants its own.
 }
 
 void Renderer::clear(const State& state, GLbitfield buffers)

@@ -5,6 +5,7 @@
 #include "legacygl/raster/primitive_pipeline.h"
 #include "legacygl/shader_key.h"
 #include "legacygl/state/state.h"
+#include "legacygl/target_copy.h"
 
 #include <array>
 #include <optional>
@@ -53,6 +54,9 @@ private:
     void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work);
     void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
                      const RasterOutput& output);
+    void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
+                     const RasterOutput& output, const ShadedDraw& draw);
+    bool copy_target(const State& state, const PixelBox& box);
     ProgramId program(const ShaderKey& key);
     TextureId texture(Texture& texture);
     template <class Fill> void refill(UniformGroup group, int size, Fill fill);
@@ -68,6 +72,8 @@ private:
     std::array<Group, UNIFORM_GROUP_COUNT> groups_;
     DrawState draw_state_;
     std::uint32_t stipple_counter_ = 0;
+    TargetCopy target_copy_;
+    glm::vec4 target_copy_origin_{0, 0, 0, 0};
     std::vector<DrawRun> runs_;          ///< Scratch, kept so that a steady frame allocates nothing.
     std::vector<std::uint32_t> indices_; ///< Scratch.
 };

@@ -127,8 +127,7 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool col
     ShaderKey key;
     key.flat = takes_one_color(state, color_varies);
     key.points = primitive == PrimitiveClass::points;
-    key.polygon_stipple =
-        primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;
+    key.polygon_stipple = primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         add_texture(state, unit, key);
     key.eye_space = key.generates(GL_SPHERE_MAP) || key.generates(GL_EYE_LINEAR);
@@ -156,13 +155,14 @@ bool keeps_length(const State& state)
 }
 
 ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,
-                          bool polygon_stipple)
+                          bool polygon_stipple, GLenum logic_op)
 {
     ShaderKey key;
     key.shaded = true;
     key.points = primitive == PrimitiveClass::points;
     key.polygon_stipple = polygon_stipple;
     key.coverage = coverage;
+    key.logic_op = logic_op;
     key.flat = shading.flat;
     key.both_buffers = shading.both_buffers;
     key.color_sum = shading.secondary();
@@ -218,13 +218,12 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
     // FNV-1a over the members; never over the object's memory, which has padding.
     std::uint64_t hash = 14695981039346656037ull;
     const auto mix = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ull; };
-    for (bool b :
-         {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
-          key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat, key.points,
-          key.polygon_stipple, key.shaded,
-          key.both_buffers})
+    for (bool b : {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
+                   key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat,
+                   key.points, key.polygon_stipple, key.shaded, key.both_buffers})
         mix(b);
     mix(static_cast<std::uint64_t>(key.coverage));
+    mix(key.logic_op);
     mix(key.follows_color);
     mix(key.light_count);
     for (int i = 0; i < key.light_count; ++i)

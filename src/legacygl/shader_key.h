@@ -92,6 +92,7 @@ struct ShaderKey
     bool polygon_stipple = false;
     bool shaded = false; ///< Vertices come transformed and lit, see PrimitivePipeline.
     Coverage coverage = Coverage::whole;
+    GLenum logic_op = GL_COPY; ///< Combines fragments with the target's copy; only of shaded vertices.
 
     bool operator==(const ShaderKey&) const = default;
     bool follows(int face, MaterialProperty property) const
@@ -99,7 +100,10 @@ struct ShaderKey
         return follows_color & (1u << (face * MATERIAL_PROPERTY_COUNT + static_cast<int>(property)));
     }
     /// Whether the fragments read the uniform array `fragments`.
-    bool reads_fragments() const { return fog_mode || alpha_func != GL_ALWAYS || polygon_stipple; }
+    bool reads_fragments() const
+    {
+        return fog_mode || alpha_func != GL_ALWAYS || polygon_stipple || logic_op != GL_COPY;
+    }
     bool secondary() const { return (lighting && separate_specular) || color_sum; }
     bool textured() const;
     bool generates(GLenum mode) const;
@@ -126,7 +130,7 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool col
 
 /// Returns the key for drawing what vertices shaded by a key became.
 ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,
-                          bool polygon_stipple);
+                          bool polygon_stipple, GLenum logic_op);
 
 /// Returns what the modelview gives to the key of the state: while this and all else stays, so does the key.
 bool keeps_length(const State& state);
@@ -173,9 +177,9 @@ constexpr int SIZE = TEXTURE_UNIT_COUNT * UNIT_SIZE;
 
 /// Where things lie in the uniform array `fragments`, in vec4s.
 namespace fragments_layout {
-constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2;
+constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2, TARGET_COPY_ORIGIN = 3;
 /// Each row in two halves of 16 bits as numbers, the left one first; two rows in a vec4.
-constexpr int STIPPLE = 3, STIPPLE_SIZE = 16;
+constexpr int STIPPLE = 4, STIPPLE_SIZE = 16;
 constexpr int size(bool polygon_stipple)
 {
     return polygon_stipple ? STIPPLE + STIPPLE_SIZE : STIPPLE;

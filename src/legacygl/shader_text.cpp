@@ -9,6 +9,12 @@
 namespace legacygl {
 namespace {
 
+/// The sampler of the target's copy, behind those of the texture units.
+std::string target_copy_name()
+{
+    return "texture_" + std::to_string(TARGET_COPY_SAMPLER);
+}
+
 /// The varyings between the shaders, in the direction given ("out" or "in").
 std::string varyings(const ShaderKey& key, const char* direction)
 {
@@ -190,6 +196,22 @@ std::string coverage_text(Coverage coverage)
            "                                       : coverage.w);\n";
 }
 
+/// A logic op (OpenGL 1.5, 4.1.10) of the bits that a colour buffer of eight bits would hold.
+std::string logic_op_text(GLenum op)
+{
+    // GL_CLEAR … GL_SET are in a row; s is the fragment, d what is there.
+    constexpr const char* operations[] = {"ivec4(0)", "s & d",  "s & ~d",   "s",         "~s & d", "d",
+                                          "s ^ d",    "s | d",  "~(s | d)", "~(s ^ d)",  "~d",     "s | ~d",
+                                          "~s",       "~s | d", "~(s & d)", "ivec4(255)"};
+    return "    ivec4 s = ivec4(round(clamp(c, 0.0, 1.0) * 255.0));\n"
+           "    ivec4 d = ivec4(round(texelFetch(" +
+           target_copy_name() + ", ivec2(gl_FragCoord.xy) - ivec2(" +
+           at("fragments", fragments_layout::TARGET_COPY_ORIGIN) +
+           ".xy), 0) * 255.0));\n"
+           "    c = vec4((" +
+           std::string(operations[op - GL_CLEAR]) + ") & 255) / 255.0;\n";
+}
+
 std::string fragment_text(const ShaderKey& key)
 {
     const bool two_side = key.lighting && key.two_side;
@@ -200,6 +222,8 @@ std::string fragment_text(const ShaderKey& key)
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         if (key.textures[unit].format != BaseFormat::none)
             text += "uniform sampler2D texture_" + std::to_string(unit) + ";\n";
+    if (key.logic_op != GL_COPY)
+        text += "uniform sampler2D " + target_copy_name() + ";\n";
     if (key.textured())
         text += uniforms("texturing", texturing_layout::SIZE);
     text += uniforms("fragments", fragments_layout::size(key.polygon_stipple));
@@ -222,6 +246,8 @@ std::string fragment_text(const ShaderKey& key)
         text += coverage_text(key.coverage);
     if (key.alpha_func != GL_ALWAYS)
         text += alpha_text(key.alpha_func);
+    if (key.logic_op != GL_COPY)
+        text += logic_op_text(key.logic_op);
     if (key.both_buffers)
         text += "    front_fragment_color = c;\n";
     return text + "    fragment_color = c;\n}\n";

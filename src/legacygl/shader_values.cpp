@@ -170,7 +170,7 @@ void fill_texturing(const State& state, std::span<glm::vec4> out)
     }
 }
 
-void fill_fragments(const State& state, std::span<glm::vec4> out)
+void fill_fragments(const State& state, glm::vec4 target_copy_origin, std::span<glm::vec4> out)
 {
     using namespace fragments_layout;
     constexpr float LOG2_E = 1.44269504088896340736f; // 1 / ln 2, for exp2() instead of exp()
@@ -180,6 +180,7 @@ void fill_fragments(const State& state, std::span<glm::vec4> out)
     out[FOG_COLOR] = fog.color;
     out[FOG_FACTORS] = {slope, fog.end * -slope, fog.density * LOG2_E, fog.density * ONE_DIV_SQRT_LN_2};
     out[ALPHA_REFERENCE] = glm::vec4(std::floor(state.fragment.alpha_reference * 255.0f + 0.5f));
+    out[TARGET_COPY_ORIGIN] = target_copy_origin;
     if (out.size() <= STIPPLE)
         return;
     const StippleRows& rows = state.raster.polygon_stipple.rows;

@@ -20,7 +20,8 @@ void fill_lighting(const LightingState& lighting, const ShaderKey& key, std::spa
 /// Fills the uniform array `texturing`; out has texturing_layout::SIZE elements.
 void fill_texturing(const State& state, std::span<glm::vec4> out);
 
-/// Fills the uniform array `fragments`; out has fragments_layout::size() elements, with the stipple or without.
-void fill_fragments(const State& state, std::span<glm::vec4> out);
+/// Fills the uniform array `fragments`; out has fragments_layout::size() elements, with the stipple or
+/// without. target_copy_origin: where in the window the first texel of the target's copy lies.
+void fill_fragments(const State& state, glm::vec4 target_copy_origin, std::span<glm::vec4> out);
 
 } // namespace legacygl

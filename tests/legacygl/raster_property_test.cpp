@@ -67,7 +67,8 @@ private:
 
     void state()
     {
-        constexpr GLenum modes[] = {GL_POINT, GL_LINE, GL_FILL}, faces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
+        constexpr GLenum modes[] = {GL_POINT, GL_LINE, GL_FILL},
+                         faces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
         switch (pick(12)) {
         case 0: {
             const GLenum face = faces[pick(3)], mode = modes[pick(3)];
@@ -80,9 +81,9 @@ private:
         case 2:
             return enable(GL_LINE_STIPPLE);
         case 3:
-            return enable(GL_CLIP_PLANE0 + static_cast<GLenum>(pick(6)));
+            return enable(GL_CLIP_PLANE0 + static_cast<GLenum>(pick(5)));
         case 4: {
-            const GLenum name = GL_CLIP_PLANE0 + static_cast<GLenum>(pick(6));
+            const GLenum name = GL_CLIP_PLANE0 + static_cast<GLenum>(pick(5));
             GLdouble equation[4];
             for (GLdouble& e : equation)
                 e = static_cast<double>(number());
@@ -136,6 +137,11 @@ protected:
         legacygl::current_context = context.get();
         glEnable(GL_POLYGON_STIPPLE); // Quads are then cut along the same diagonal at once and from a list.
         glEnable(GL_COLOR_MATERIAL);  // Or lighting reads no colour, and a draw need not have the right one.
+        // A plane that cuts nothing off: all is then drawn by the CPU, also where the stream asks for
+        // nothing.
+        const GLdouble everywhere[4] = {0, 0, 0, 1};
+        glClipPlane(GL_CLIP_PLANE5, everywhere);
+        glEnable(GL_CLIP_PLANE5);
         glPolygonOffset(1, 2);
     }
 };

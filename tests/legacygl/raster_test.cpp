@@ -214,7 +214,8 @@ TEST_F(Raster, SeparateLinesBeginTheStippleAnew)
         for (int i = 0; i < 4; ++i)
             glVertex2f(-1 + 8.0f / 32 * static_cast<float>(i), 0.5f / 32);
         glEnd();
-        EXPECT_EQ(drawn(PrimitiveClass::triangles) - before, 12u) << (mode == GL_LINES ? "of 2 lines" : "of 3 lines");
+        EXPECT_EQ(drawn(PrimitiveClass::triangles) - before, 12u)
+            << (mode == GL_LINES ? "of 2 lines" : "of 3 lines");
     }
 }
 
@@ -290,7 +291,8 @@ TEST_F(Raster, BadValuesAreErrorsAndChangeNothing)
     };
     EXPECT_EQ(error([] { glPolygonMode(GL_FRONT, GL_SMOOTH); }), static_cast<GLenum>(GL_INVALID_ENUM));
     EXPECT_EQ(error([] { glPolygonMode(GL_LEFT, GL_LINE); }), static_cast<GLenum>(GL_INVALID_ENUM));
-    EXPECT_EQ(error([&] { glClipPlane(GL_CLIP_PLANE0 + 6, equation); }), static_cast<GLenum>(GL_INVALID_ENUM));
+    EXPECT_EQ(error([&] { glClipPlane(GL_CLIP_PLANE0 + 6, equation); }),
+              static_cast<GLenum>(GL_INVALID_ENUM));
     EXPECT_EQ(error([] { glLogicOp(GL_ADD); }), static_cast<GLenum>(GL_INVALID_ENUM));
     EXPECT_EQ(error([] { glProvokingVertex(GL_QUADS); }), static_cast<GLenum>(GL_INVALID_ENUM));
     EXPECT_EQ(error([] { glPointParameterf(GL_POINT_SIZE_MIN, -1); }), static_cast<GLenum>(GL_INVALID_VALUE));

@@ -34,8 +34,11 @@ constexpr int UNIFORM_GROUP_COUNT = static_cast<int>(UniformGroup::count);
 constexpr std::array<const char*, UNIFORM_GROUP_COUNT> UNIFORM_GROUP_NAMES = {"transform", "lighting",
                                                                               "texturing", "fragments"};
 
+/// Samplers of a program: of the texture units, then of the copy of the target that a logic op reads.
+constexpr int TARGET_COPY_SAMPLER = TEXTURE_UNIT_COUNT, SAMPLER_COUNT = TEXTURE_UNIT_COUNT + 1;
+
 /// GLSL ES 3.00 text of a program. Attributes are at the locations of Attribute, samplers are named
-/// texture_0 and texture_1, uniform arrays as in UNIFORM_GROUP_NAMES.
+/// texture_0 … texture_2, uniform arrays as in UNIFORM_GROUP_NAMES.
 struct ProgramText
 {
     std::string vertex;
@@ -79,7 +82,7 @@ struct DrawState
 {
     ProgramId program = 0;
     std::array<UniformValues, UNIFORM_GROUP_COUNT> uniforms;
-    std::array<TextureId, TEXTURE_UNIT_COUNT> textures{};
+    std::array<TextureId, SAMPLER_COUNT> textures{};
     Pipeline pipeline;
     /// What an attribute is for all vertices when the format lacks it.
     const CurrentAttributes* constants = nullptr;

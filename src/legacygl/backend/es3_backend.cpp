@@ -60,7 +60,7 @@ public:
         for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
             program.locations[i] = gl_.GetUniformLocation(program.name, UNIFORM_GROUP_NAMES[i]);
         gl_.UseProgram(program.name);
-        for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        for (int unit = 0; unit < SAMPLER_COUNT; ++unit)
             gl_.Uniform1i(gl_.GetUniformLocation(program.name, ("texture_" + std::to_string(unit)).c_str()),
                           unit);
         used_program_ = 0;
@@ -244,7 +244,7 @@ private:
             if (i != TRANSFORM && program.locations[i] >= 0 &&
                 program.revisions[i] != state.uniforms[i].revision)
                 return false;
-        for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        for (int unit = 0; unit < SAMPLER_COUNT; ++unit)
             if (state.textures[unit] != 0 && state.textures[unit] != bound_textures_[unit])
                 return false;
         for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
@@ -381,7 +381,7 @@ private:
         used_program_ = program.name;
         for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
             upload(program, i, state.uniforms[i]);
-        for (int unit = TEXTURE_UNIT_COUNT; unit-- > 0;)
+        for (int unit = SAMPLER_COUNT; unit-- > 0;)
             if (state.textures[unit] != 0)
                 bind_texture(state.textures[unit], unit);
         apply(state.pipeline);
@@ -400,7 +400,7 @@ private:
     std::optional<Pipeline> pipeline_; ///< What ES has now; empty when that is not known.
     std::array<std::optional<glm::vec4>, ATTRIBUTE_COUNT> constants_;
     GLuint used_program_ = 0;
-    std::array<TextureId, TEXTURE_UNIT_COUNT> bound_textures_{};
+    std::array<TextureId, SAMPLER_COUNT> bound_textures_{};
     int active_unit_ = -1; ///< -1: not known.
 };
 

@@ -196,8 +196,8 @@ void glGetClipPlane(GLenum plane, GLdouble* equation)
             if (!is_clip_plane(p))
                 return gl.set_error(GL_INVALID_ENUM);
             for (int i = 0; i < 4; ++i)
-                equation[i] = static_cast<double>(
-                    gl.state.transform.clip_planes[p - GL_CLIP_PLANE0].equation[i]);
+                equation[i] =
+                    static_cast<double>(gl.state.transform.clip_planes[p - GL_CLIP_PLANE0].equation[i]);
         },
         plane);
 }

@@ -20,8 +20,8 @@ inline float approximate_log2(float x)
     float mantissa;
     std::memcpy(&mantissa, &bits, sizeof mantissa);
     const float y = (mantissa - 1) / (mantissa + 1), z = y * y, zz = z * z;
-    const float even = fused(zz, fused(zz, 0.406718052498846252698f, 0.577440339438736392009f),
-                             2.88539009343309178325f);
+    const float even =
+        fused(zz, fused(zz, 0.406718052498846252698f, 0.577440339438736392009f), 2.88539009343309178325f);
     const float odd = fused(zz, 0.403343858251329912514f, 0.961791550404184197881f);
     return fused(y, fused(odd, z, even), exponent);
 }
@@ -33,10 +33,9 @@ inline float approximate_exp2(float x)
     const std::uint32_t bits = static_cast<std::uint32_t>(static_cast<std::int32_t>(whole) + 127) << 23;
     float power;
     std::memcpy(&power, &bits, sizeof power);
-    const float even =
-        fused(ff, fused(ff, 0.00898934009049466391101f, 0.240153617044375388211f), 1.0f);
-    const float odd = fused(ff, fused(ff, 0.00187757667519147912699f, 0.0558263180532956664775f),
-                            0.693153073200168932794f);
+    const float even = fused(ff, fused(ff, 0.00898934009049466391101f, 0.240153617044375388211f), 1.0f);
+    const float odd =
+        fused(ff, fused(ff, 0.00187757667519147912699f, 0.0558263180532956664775f), 0.693153073200168932794f);
     return power * fused(odd, f, even);
 }
 

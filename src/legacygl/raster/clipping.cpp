@@ -23,8 +23,8 @@ ShadedVertex cut(const ViewportTransform& viewport, const ShadedVertex& from, co
 }
 
 /// Cuts where the edge from one vertex to the next crosses the plane, from the nearer end.
-ShadedVertex cut_edge(const ViewportTransform& viewport, const ShadedVertex& previous, float previous_distance,
-                      const ShadedVertex& vertex, float distance)
+ShadedVertex cut_edge(const ViewportTransform& viewport, const ShadedVertex& previous,
+                      float previous_distance, const ShadedVertex& vertex, float distance)
 {
     const float difference = distance - previous_distance;
     if (std::fabs(distance) < std::fabs(previous_distance))
@@ -83,16 +83,14 @@ ClipVolume::ClipVolume(const TransformState& state)
 std::uint32_t ClipVolume::outside(const glm::vec4& p) const
 {
     std::uint32_t mask = 0;
-    const bool beyond[VIEW_PLANES] = {p.x > p.w,     p.x + p.w < 0, p.y > p.w,
-                                      p.y + p.w < 0, p.z + p.w < 0, p.z > p.w};
+    const bool beyond[VIEW_PLANES] = {p.x > p.w, p.x + p.w<0, p.y> p.w, p.y + p.w < 0, p.z + p.w<0, p.z> p.w};
     for (int i = 0; i < VIEW_PLANES; ++i)
         mask |= static_cast<std::uint32_t>(beyond[i]) << i;
     for (int i = 0; i < CLIP_PLANE_COUNT; ++i) {
         if (!(enabled_user_planes_ >> i & 1))
             continue;
         const glm::vec4& plane = planes_[VIEW_PLANES + i];
-        const float distance =
-            fused(plane.w, p.w, fused(plane.z, p.z, fused(plane.y, p.y, plane.x * p.x)));
+        const float distance = fused(plane.w, p.w, fused(plane.z, p.z, fused(plane.y, p.y, plane.x * p.x)));
         mask |= static_cast<std::uint32_t>(distance < 0) << (VIEW_PLANES + i);
     }
     return mask;

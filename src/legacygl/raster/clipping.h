@@ -46,6 +46,7 @@ struct ClippedPolygon
 bool clip_polygon(const ClipVolume& volume, const ViewportTransform& viewport, ClippedPolygon& polygon);
 
 /// Cuts a line. Returns false when nothing is left.
-bool clip_line(const ClipVolume& volume, const ViewportTransform& viewport, std::array<ShadedVertex, 2>& line);
+bool clip_line(const ClipVolume& volume, const ViewportTransform& viewport,
+               std::array<ShadedVertex, 2>& line);
 
 } // namespace legacygl

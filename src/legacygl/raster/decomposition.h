@@ -90,11 +90,11 @@ void decompose(GLenum mode, std::uint32_t count, bool first_vertex, bool quads_f
         for (std::uint32_t i = 0; i + 2 < count; ++i) {
             const bool first = i == 0, last = i + 3 == count;
             if (first_vertex)
-                triangle(DecomposedTriangle{
-                    {0, i + 1, i + 2}, E1 | (first ? E0 : 0) | (last ? E2 : 0), first});
+                triangle(
+                    DecomposedTriangle{{0, i + 1, i + 2}, E1 | (first ? E0 : 0) | (last ? E2 : 0), first});
             else
-                triangle(DecomposedTriangle{
-                    {i + 1, i + 2, 0}, E0 | (first ? E2 : 0) | (last ? E1 : 0), first});
+                triangle(
+                    DecomposedTriangle{{i + 1, i + 2, 0}, E0 | (first ? E2 : 0) | (last ? E1 : 0), first});
         }
         break;
     default:

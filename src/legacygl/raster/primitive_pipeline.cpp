@@ -52,8 +52,7 @@ PrimitivePipeline::PrimitivePipeline(const State& state, const ShaderKey& key, c
     : state_(state), key_(key), work_(work), shading_(shading),
       first_vertex_(state.raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION),
       stippled_(state.raster.line_stipple.stipples()), stipple_counter_(stipple_counter), out_(out)
-{
-}
+{}
 
 void PrimitivePipeline::draw(GLenum mode, bool quads_from_first, std::span<const ShadedVertex> vertices)
 {
@@ -94,21 +93,19 @@ void PrimitivePipeline::line(const ShadedVertex& a, const ShadedVertex& b, bool 
 
 void PrimitivePipeline::polygon(std::span<const ShadedVertex> vertices, const DecomposedTriangle& from)
 {
+    Triangle whole = {vertices[from.vertices[0]], vertices[from.vertices[1]], vertices[from.vertices[2]]};
+    make_flat(whole, first_vertex_ ? 0 : 2);
+    if ((whole[0].outside | whole[1].outside | whole[2].outside) == 0)
+        return triangle(whole, from.edges, from.begins_polygon);
     ClippedPolygon polygon;
     polygon.count = 3;
-    std::uint32_t outside = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        polygon.vertices[i] = vertices[from.vertices[i]];
+        polygon.vertices[i] = whole[i];
         polygon.edges[i] = from.edges >> i & 1;
-        outside |= polygon.vertices[i].outside;
     }
-    make_flat(std::span(polygon.vertices).first(3), first_vertex_ ? 0 : 2);
     if (!clip_polygon(shading_.volume(), shading_.viewport(), polygon))
         return;
-    if (outside == 0) {
-        Triangle whole = {polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]};
-        return triangle(whole, from.edges, from.begins_polygon);
-    }
+    // A fan around the first vertex left, which takes the place of the provoking one.
     for (std::size_t i = 2, n = static_cast<std::size_t>(polygon.count); i < n; ++i) {
         const bool first = i == 2 && polygon.edges[0], middle = polygon.edges[i - 1],
                    last = i == n - 1 && polygon.edges[i];
@@ -126,7 +123,8 @@ void PrimitivePipeline::triangle(Triangle& t, std::uint32_t edges, bool begins)
     const RasterState& raster = state_.raster;
     const float area = determinant(t);
     const bool counter_clockwise = raster.front_face == GL_CCW;
-    // Without an area it is a back face where faces are culled, and the face that turns counter-clockwise else.
+    // Without an area it is a back face where faces are culled, and the face that turns counter-clockwise
+    // else.
     const bool back = counter_clockwise ? area < 0 : area > 0;
     if (work_.unfilled && raster.culls(back || area == 0 ? 1 : 0))
         return;
@@ -171,9 +169,9 @@ void PrimitivePipeline::offset(Triangle& t, float area, GLenum mode) const
     const glm::vec4 e = t[0].window - t[2].window, f = t[1].window - t[2].window;
     float slope = 0;
     if (area != 0)
-        slope = std::max(std::fabs((e.y * f.z - e.z * f.y) / area), std::fabs((e.z * f.x - e.x * f.z) / area));
-    const float by =
-        raster.polygon_offset_units * SMALLEST_DEPTH_STEP + slope * raster.polygon_offset_factor;
+        slope =
+            std::max(std::fabs((e.y * f.z - e.z * f.y) / area), std::fabs((e.z * f.x - e.x * f.z) / area));
+    const float by = raster.polygon_offset_units * SMALLEST_DEPTH_STEP + slope * raster.polygon_offset_factor;
     for (ShadedVertex& v : t)
         shading_.viewport().offset_depth(v.clip, v.window, by);
 }

@@ -12,8 +12,8 @@ namespace legacygl {
 /// Which of OpenGL's ways to rasterise are done here and not by ES.
 struct RasterWork
 {
-    bool unfilled;    ///< Polygons are culled, offset and replaced by points or lines here.
-    bool line_quads;  ///< Lines are drawn as quadrilaterals, with the coverage of Mesa's.
+    bool unfilled;   ///< Polygons are culled, offset and replaced by points or lines here.
+    bool line_quads; ///< Lines are drawn as quadrilaterals, with the coverage of Mesa's.
     bool smooth_lines;
     bool smooth_points;
 };

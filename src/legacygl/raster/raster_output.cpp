@@ -2,9 +2,13 @@
 
 #include "legacygl/shader_values.h"
 
+#include <algorithm>
+
 namespace legacygl {
 
-RasterOutput::RasterOutput(const ShaderKey& key, const ViewportTransform& viewport) : viewport_(viewport)
+RasterOutput::RasterOutput(const ShaderKey& key, const ViewportTransform& viewport, float line_reach,
+                           bool apart)
+    : viewport_(viewport), line_reach_(line_reach), apart_(apart)
 {
     const auto hold = [this](Attribute attribute, int components) {
         format_.components[index_of(attribute)] = static_cast<std::uint8_t>(components);
@@ -21,15 +25,27 @@ RasterOutput::RasterOutput(const ShaderKey& key, const ViewportTransform& viewpo
             hold(texture_coordinate(unit), 4);
 }
 
-void RasterOutput::begin(PrimitiveClass primitive, Coverage coverage, bool polygons, bool grown)
+bool RasterOutput::overlaps_last_draw(const PixelBox& box) const
 {
-    if (!draws_.empty()) {
-        const ShadedDraw& last = draws_.back();
-        if (last.primitive == primitive && last.coverage == coverage && last.polygons == polygons &&
-            last.grown == grown)
-            return;
+    return std::any_of(boxes_.begin(), boxes_.end(),
+                       [&](const PixelBox& other) { return box.overlaps(other); });
+}
+
+/// Begins a primitive: in the last draw where that is of the same kind.
+void RasterOutput::begin(const ShadedDraw& wanted, const PixelBox& box)
+{
+    const ShadedDraw* last = draws_.empty() ? nullptr : &draws_.back();
+    if (!last || last->primitive != wanted.primitive || last->coverage != wanted.coverage ||
+        last->polygons != wanted.polygons || last->grown != wanted.grown ||
+        (apart_ && overlaps_last_draw(box))) {
+        draws_.push_back(wanted);
+        draws_.back().first = count_;
+        boxes_.clear();
     }
-    draws_.push_back({primitive, coverage, polygons, grown, count_, 0});
+    if (!apart_)
+        return;
+    draws_.back().box.include(box);
+    boxes_.push_back(box);
 }
 
 void RasterOutput::add(const glm::vec4& clip, const glm::vec4& extra, const Varyings& varyings)
@@ -51,28 +67,31 @@ void RasterOutput::add(const glm::vec4& clip, const glm::vec4& extra, const Vary
 
 void RasterOutput::point(const ShadedVertex& vertex)
 {
-    begin(PrimitiveClass::points, Coverage::whole, false, false);
+    begin({PrimitiveClass::points, Coverage::whole, false, false, 0, 0, {}},
+          box_of({&vertex, 1}, vertex.point_size / 2));
     add(vertex.clip, glm::vec4(rasterised_point_size(vertex.point_size)), vertex.varyings);
 }
 
 void RasterOutput::line(const ShadedVertex& a, const ShadedVertex& b)
 {
-    begin(PrimitiveClass::lines, Coverage::whole, false, false);
-    for (const ShadedVertex* v : {&a, &b})
-        add(v->clip, {}, v->varyings);
+    const std::array<ShadedVertex, 2> ends = {a, b};
+    begin({PrimitiveClass::lines, Coverage::whole, false, false, 0, 0, {}}, box_of(ends, line_reach_));
+    for (const ShadedVertex& v : ends)
+        add(v.clip, {}, v.varyings);
 }
 
 void RasterOutput::triangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c)
 {
-    begin(PrimitiveClass::triangles, Coverage::whole, true, false);
-    for (const ShadedVertex* v : {&a, &b, &c})
-        add(v->clip, {}, v->varyings);
+    const std::array<ShadedVertex, 3> corners = {a, b, c};
+    begin({PrimitiveClass::triangles, Coverage::whole, true, false, 0, 0, {}}, box_of(corners, 0));
+    for (const ShadedVertex& v : corners)
+        add(v.clip, {}, v.varyings);
 }
 
 void RasterOutput::quadrilateral(Coverage coverage, const std::array<ShadedVertex, 4>& corners,
                                  const std::array<CoverageValues, 4>& values)
 {
-    begin(PrimitiveClass::triangles, coverage, false, true);
+    begin({PrimitiveClass::triangles, coverage, false, true, 0, 0, {}}, box_of(corners, 0));
     // Cut as Mesa cuts it: a smooth line's corners are given as those of a strip.
     constexpr std::array<std::size_t, 6> around = {0, 1, 2, 0, 2, 3}, strip = {2, 1, 0, 3, 1, 2};
     for (const std::size_t i : coverage == Coverage::line ? strip : around)

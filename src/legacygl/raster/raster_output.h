@@ -1,6 +1,7 @@
 #pragma once
 
 #include "legacygl/primitives.h"
+#include "legacygl/raster/pixel_box.h"
 #include "legacygl/raster/shaded_vertex.h"
 #include "legacygl/raster/viewport_transform.h"
 #include "legacygl/shader_key.h"
@@ -20,6 +21,7 @@ struct ShadedDraw
     bool polygons; ///< They are filled polygons, which a stipple may cover.
     bool grown;    ///< The viewport is grown by VIEWPORT_MARGIN: see ViewportTransform::clip.
     std::uint32_t first, count;
+    PixelBox box; ///< Holds all of its pixels.
 };
 
 /// What a smooth line or point carries besides (see Coverage): what becomes of it is up to the fragments.
@@ -33,7 +35,9 @@ public:
     /// The greatest a line or point reaches beyond its own coordinates, in pixels.
     static constexpr int VIEWPORT_MARGIN = 256;
 
-    RasterOutput(const ShaderKey& key, const ViewportTransform& viewport);
+    /// line_reach: half of the width of lines that are drawn as lines. apart: no two primitives of a draw
+    /// may have a pixel in common.
+    RasterOutput(const ShaderKey& key, const ViewportTransform& viewport, float line_reach, bool apart);
 
     void point(const ShadedVertex& vertex);
     void line(const ShadedVertex& a, const ShadedVertex& b);
@@ -47,13 +51,17 @@ public:
     const std::vector<ShadedDraw>& draws() const { return draws_; }
 
 private:
-    void begin(PrimitiveClass primitive, Coverage coverage, bool polygons, bool grown);
+    void begin(const ShadedDraw& wanted, const PixelBox& box);
+    bool overlaps_last_draw(const PixelBox& box) const;
     void add(const glm::vec4& clip, const glm::vec4& extra, const Varyings& varyings);
 
     const ViewportTransform& viewport_;
+    const float line_reach_;
+    const bool apart_;
     VertexFormat format_;
     std::vector<float> vertices_;
     std::vector<ShadedDraw> draws_;
+    std::vector<PixelBox> boxes_; ///< Of the primitives of the last draw, if they must be apart.
     std::uint32_t count_ = 0;
 };
 

@@ -36,8 +36,7 @@ class VertexLighting
 public:
     VertexLighting(const ShaderKey& key, const LightingInput& in, Varyings& out)
         : key_(key), layout_(key), in_(in), out_(out)
-    {
-    }
+    {}
 
     void run()
     {

@@ -54,7 +54,11 @@ public:
         const float w = 1.0f / window.w;
         const float z = scale_.z != 0 ? (window.z - translate_.z) / scale_.z : 0;
         return {(window.x - translate_.x) / (scale_.x + margin) * w,
-                (window.y - translate_.y) / (scale_.y + margin) * w, (z < -1 ? -1.0f : z > 1 ? 1.0f : z) * w,
+                (window.y - translate_.y) / (scale_.y + margin) * w,
+                (z < -1  ? -1.0f
+                 : z > 1 ? 1.0f
+                         : z) *
+                    w,
                 w};
     }
 

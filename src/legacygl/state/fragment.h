@@ -63,6 +63,8 @@ struct FragmentState
     bool color_logic_op = false;
     bool index_logic_op = false; ///< Of colour indices, which nothing is drawn with.
     GLenum logic_op = GL_COPY;
+    /// Returns the logic op that combines fragments with what is there; GL_COPY: none does.
+    GLenum effective_logic_op() const { return color_logic_op ? logic_op : GLenum{GL_COPY}; }
     bool depth_mask = true;
     std::array<bool, 4> color_mask{true, true, true, true};
     glm::vec4 clear_color{0, 0, 0, 0};

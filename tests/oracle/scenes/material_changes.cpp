@@ -173,8 +173,10 @@ SCENE(quads_of_four_colours_from_a_list)
 SCENE(quads_of_four_colours_from_arrays)
 {
     three_dimensions();
-    const GLfloat positions[8][2] = {{-2, -1}, {-0.2f, -1}, {-0.2f, 1}, {-2, 1}, {0.2f, -1}, {2, -1}, {2, 1}, {0.2f, 1}};
-    const GLfloat colors[8][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 0}};
+    const GLfloat positions[8][2] = {{-2, -1},   {-0.2f, -1}, {-0.2f, 1}, {-2, 1},
+                                     {0.2f, -1}, {2, -1},     {2, 1},     {0.2f, 1}};
+    const GLfloat colors[8][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 0},
+                                  {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 0}};
     const GLubyte indices[4] = {4, 5, 6, 7};
     glVertexPointer(2, GL_FLOAT, 0, positions);
     glColorPointer(3, GL_FLOAT, 0, colors);

@@ -19,10 +19,12 @@ void light()
 /// A seven-sided polygon and the other polygons, each corner in its own colour.
 void polygons(bool edge_flags)
 {
-    const GLenum modes[] = {GL_POLYGON, GL_TRIANGLES, GL_QUADS, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUAD_STRIP};
+    const GLenum modes[] = {GL_POLYGON,        GL_TRIANGLES,    GL_QUADS,
+                            GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUAD_STRIP};
     const int counts[] = {7, 6, 8, 6, 6, 6};
     for (int cell = 0; cell < 6; ++cell) {
-        const float x = 5.0f * static_cast<float>(cell % 3) + 0.6f, y = 6.0f * static_cast<float>(cell / 3) + 0.6f;
+        const float x = 5.0f * static_cast<float>(cell % 3) + 0.6f,
+                    y = 6.0f * static_cast<float>(cell / 3) + 0.6f;
         constexpr float ring[8][2] = {{2, 0.2f},    {3.6f, 0.9f}, {4.1f, 2.4f}, {3.2f, 4.1f},
                                       {1.6f, 4.3f}, {0.4f, 3.3f}, {0.2f, 1.6f}, {0.9f, 0.5f}};
         glBegin(modes[cell]);
@@ -30,7 +32,8 @@ void polygons(bool edge_flags)
             const bool zigzag = modes[cell] == GL_TRIANGLE_STRIP || modes[cell] == GL_QUAD_STRIP;
             if (edge_flags)
                 glEdgeFlag(i % 3 != 1);
-            glColor3f(static_cast<float>(i % 2), static_cast<float>(i % 3) * 0.5f, 1 - static_cast<float>(i % 4) * 0.3f);
+            glColor3f(static_cast<float>(i % 2), static_cast<float>(i % 3) * 0.5f,
+                      1 - static_cast<float>(i % 4) * 0.3f);
             if (zigzag)
                 glVertex2f(x + 0.7f * static_cast<float>(i), y + (i % 2 == 0 ? 0.3f : 4.0f));
             else

@@ -115,17 +115,19 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glCallLists, glListBase, glDeleteLists, glIsList; glLight, glLightModel, glMaterial, glColorMaterial,
    glShadeModel; glGenTextures, glBindTexture, glDeleteTextures, glIsTexture, glPrioritizeTextures,
    glAreTexturesResident, glTexImage1D, glTexImage2D (proxies too), glTexSubImage1D, glTexSubImage2D,
-   glCopyTexImage1D, glCopyTexImage2D, glCopyTexSubImage1D, glCopyTexSubImage2D, glGetTexImage, glTexParameter,
-   glTexEnv, glTexGen, glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace, glFrontFace,
-   glLineWidth, glPointSize, glPolygonOffset, glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc,
-   glStencilOp, glStencilMask, glBlendFunc, glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask,
-   glIndexMask, glSampleCoverage, glFog; glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex,
-   glClearAccum, glDrawBuffer, glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays
-   (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib,
-   glPushClientAttrib, glPopClientAttrib; glGet, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen,
-   glGetTexParameter, glGetTexLevelParameter, glGetPointerv, glGetError, glGetString, glHint; and their names
-   as extensions, which glGetString(GL_EXTENSIONS) lists. Of GLU: projections, quadrics, mipmaps, glu strings;
-   what GLU lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
+   glCopyTexImage1D, glCopyTexImage2D, glCopyTexSubImage1D, glCopyTexSubImage2D, glGetTexImage,
+   glTexParameter, glTexEnv, glTexGen, glActiveTexture; glEnable, glDisable, glIsEnabled, glCullFace,
+   glFrontFace, glPolygonMode, glPolygonStipple, glPolygonOffset, glEdgeFlag, glLineWidth, glLineStipple,
+   glPointSize, glPointParameter, glProvokingVertex, glClipPlane, glLogicOp, glDepthFunc, glDepthMask,
+   glAlphaFunc, glScissor, glStencilFunc, glStencilOp, glStencilMask, glBlendFunc, glBlendFuncSeparate,
+   glBlendEquation, glBlendColor, glColorMask, glIndexMask, glSampleCoverage, glFog; glClear, glClearColor,
+   glClearDepth, glClearStencil, glClearIndex, glClearAccum, glDrawBuffer, glReadBuffer, glFlush, glFinish,
+   glReadPixels, glPixelStore; the vertex arrays (glVertexPointer … glDrawElements, glInterleavedArrays) and
+   buffer objects; glPushAttrib, glPopAttrib, glPushClientAttrib, glPopClientAttrib; glGet, glGetLight,
+   glGetMaterial, glGetClipPlane, glGetPolygonStipple, glGetTexEnv, glGetTexGen, glGetTexParameter,
+   glGetTexLevelParameter, glGetPointerv, glGetError, glGetString, glHint; and their names as extensions,
+   which glGetString(GL_EXTENSIONS) lists. Of GLU: projections, quadrics, mipmaps, glu strings; what GLU lacks
+   says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
 
    Not implemented: a call sets GL_INVALID_OPERATION and says so once on stderr: glRasterPos, glBitmap,
    glDrawPixels, glCopyPixels, glPixelZoom, glPixelTransfer, glPixelMap, glGetPixelMap; glRenderMode but for
@@ -135,15 +137,13 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    <GL/gl.h> declares of volumes (glTexImage3D …), of compressed images (glCompressedTexImage2D …) and of the
    imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …).
 
-   Not implemented, and not defined: glPolygonMode, glEdgeFlag, glLineStipple, glPolygonStipple, glLogicOp,
-   glClipPlane and their queries.
-
-   Differences: glMaterial between glBegin and glEnd is refused with GL_INVALID_OPERATION. Line widths beyond
-   what the ES implementation draws are drawn as wide as it can. Quads are cut along the diagonal that Mesa
-   uses in display lists, also in immediate mode. Textures are stored with eight bits a channel, or fewer where
-   their format says so; a texture's border texels are dropped, and the border's colour stands for them, as
-   with Mesa. Texels copied from the frame buffer are read back to the CPU. A window's framebuffer has no front
-   of its own: drawing into the front draws into the back. Multisampling and colour indices are state that
+   Differences: GL_POLYGON_SMOOTH has no effect, as in Mesa's software renderer; smooth lines and points fade
+   over their last pixel, as there, and have no exact coverage. Edge flags count for strips and fans too, as
+   in Mesa. A logic op other than GL_COPY reads the target back to the CPU; what is drawn into front and back
+   at once, it combines with the back. Textures are stored with eight bits a channel, or fewer where their
+   format says so; a texture's border texels are dropped, and the border's colour stands for them, as with
+   Mesa. Texels copied from the frame buffer are read back to the CPU. A window's framebuffer has no front of
+   its own: drawing into the front draws into the back. Multisampling and colour indices are state that
    nothing shows. There are no accumulation and no auxiliary buffers, and no stereo. */
 
 #ifdef __cplusplus

@@ -12,8 +12,8 @@ namespace legacygl {
 class TargetCopy
 {
 public:
-    /// Reads the box from the target. box: not empty. Returns the texture; its first texel is the box's first
-    /// pixel.
+    /// Reads the box from the target's front or back. box: not empty. Returns the texture; its first texel is
+    /// the box's first pixel.
     TextureId read(Backend& backend, bool front, const PixelBox& box);
 
 private:

@@ -15,8 +15,7 @@ using legacygl::BackendRecord;
 class RandomRaster
 {
 public:
-    /// can_light: some of the primitives are lit.
-    RandomRaster(unsigned seed, bool can_light) : random_(seed), can_light_(can_light) {}
+    explicit RandomRaster(unsigned seed) : random_(seed) {}
 
     void make(int count)
     {
@@ -91,7 +90,7 @@ private:
             return glClipPlane(name, equation);
         }
         case 5:
-            return enable(pick(2) || !can_light_ ? GL_CULL_FACE : GL_LIGHTING);
+            return enable(pick(2) ? GL_CULL_FACE : GL_LIGHTING);
         case 6:
             return glFrontFace(pick(2) ? GL_CW : GL_CCW);
         case 7:
@@ -113,21 +112,16 @@ private:
         glMaterialfv(pick(2) ? GL_FRONT : GL_BACK, pick(2) ? GL_EMISSION : GL_DIFFUSE, color);
     }
 
-    /// Each primitive is a batch of its own, since one that ES cannot draw takes all of its batch to the CPU,
-    /// and a list has larger batches than what is drawn at once.
     void begin_or_end()
     {
-        if (inside_) {
+        if (inside_)
             glEnd();
-        } else {
-            glPolygonOffset(1, 2);
+        else
             glBegin(static_cast<GLenum>(pick(10)));
-        }
         inside_ = !inside_;
     }
 
     std::mt19937 random_;
-    bool can_light_;
     bool inside_ = false;
 };
 
@@ -142,7 +136,7 @@ protected:
         context = std::make_unique<legacygl::Context>(std::move(made), 64, 48);
         legacygl::current_context = context.get();
         glEnable(GL_POLYGON_STIPPLE); // Quads are then cut along the same diagonal at once and from a list.
-        glEnable(GL_COLOR_MATERIAL);  // Lit vertices then carry their colour too.
+        glEnable(GL_COLOR_MATERIAL);  // Or lighting reads no colour, and a draw need not have the right one.
         // A plane that cuts nothing off: all is then drawn by the CPU, also where the stream asks for
         // nothing.
         const GLdouble everywhere[4] = {0, 0, 0, 1};
@@ -152,20 +146,18 @@ protected:
     }
 };
 
-// Unlit: what is drawn at once and lit leaves out what the lights do not read and a list cannot know of, so
-// its vertices are others; the oracle's scenes of material changes compare such pictures.
 TEST_F(RandomRasters, ReplayedFromListsAreAsDrawnAtOnce)
 {
     std::size_t drawn = 0;
     for (unsigned seed = 0; seed < 8000; ++seed) {
         const int length = 10 + static_cast<int>(seed % 90);
         renew();
-        RandomRaster(seed, false).make(length);
+        RandomRaster(seed).make(length);
         const std::vector<Corner> direct = corners();
         const GLenum error = context->error;
         renew();
         glNewList(1, GL_COMPILE);
-        RandomRaster(seed, false).make(length);
+        RandomRaster(seed).make(length);
         glEndList();
         glCallList(1);
         const std::vector<Corner> replayed = corners();
@@ -184,7 +176,7 @@ TEST_F(RandomRasters, OnlyNumbersReachTheBackend)
 {
     for (unsigned seed = 0; seed < 4000; ++seed) {
         renew();
-        RandomRaster(100000 + seed, true).make(60);
+        RandomRaster(100000 + seed).make(60);
         context->flush_vertices();
         for (const BackendRecord& draw : backend->draws())
             for (const float value : draw.vertices)

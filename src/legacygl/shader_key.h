@@ -87,7 +87,7 @@ struct ShaderKey
     bool fog_coordinate = false; ///< Fog by the vertex's fog coordinate, not its distance.
     GLenum alpha_func = GL_ALWAYS;
     bool both_buffers = false; ///< The colour goes to the front and to the back.
-    bool flat = false; ///< See takes_one_color().
+    bool flat = false;         ///< See takes_one_color().
     bool points = false;
     bool polygon_stipple = false;
     bool shaded = false; ///< Vertices come transformed and lit, see PrimitivePipeline.

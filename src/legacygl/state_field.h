@@ -40,7 +40,8 @@ struct StateField
     StateField(std::array<bool, N>& values) : StateField(Kind::boolean, static_cast<int>(N), values)
     {}
     template <std::size_t N>
-    StateField(std::array<GLenum, N>& values) : StateField(Kind::unsigned_integer, static_cast<int>(N), values)
+    StateField(std::array<GLenum, N>& values)
+        : StateField(Kind::unsigned_integer, static_cast<int>(N), values)
     {}
     template <std::size_t N>
     StateField(std::array<GLfloat, N>& values) : StateField(Kind::real, static_cast<int>(N), values)

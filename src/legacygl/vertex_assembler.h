@@ -18,8 +18,8 @@ struct Primitive
     GLenum mode;
     std::uint32_t first; ///< Its first vertex in the batch.
     std::uint32_t count;
-    bool begins; ///< The glBegin is in this batch.
-    bool ends;   ///< The glEnd is in this batch.
+    bool begins;          ///< The glBegin is in this batch.
+    bool ends;            ///< The glEnd is in this batch.
     bool indexed = false; ///< It came by index, from glDrawElements.
 };
 

@@ -35,8 +35,8 @@ using CurrentAttributes = std::array<glm::vec4, ATTRIBUTE_COUNT>;
 constexpr CurrentAttributes initial_attributes()
 {
     constexpr glm::vec4 zero = {0, 0, 0, 1};
-    return {zero, glm::vec4(0, 0, 1, 1), glm::vec4(1, 1, 1, 1), zero, glm::vec4(0, 0, 0, 1), zero, zero,
-            glm::vec4(1, 0, 0, 1)};
+    return {zero, glm::vec4(0, 0, 1, 1), glm::vec4(1, 1, 1, 1), zero, glm::vec4(0, 0, 0, 1), zero,
+            zero, glm::vec4(1, 0, 0, 1)};
 }
 
 /// How many floats of each attribute a vertex holds, in the order of Attribute, interleaved.

@@ -2,8 +2,10 @@
 // runs the two in turn.
 //
 //   immediate FRAMES, lists FRAMES   the wall time of each frame, drawing finished
-//   compile ROUNDS                   of each round: compiling the long list, and what calling it the first time
-//                                    takes longer than calling it again; and a copy of its data with its upload
+//   compile ROUNDS                   of each round: compiling the long list, and what calling it the first
+//   time
+//                                    takes longer than calling it again; and a copy of its data with its
+//                                    upload
 //   picture PROGRAM FILE             writes what a frame shows, as SIZE × SIZE RGBA pixels
 //
 // Prints milliseconds, a figure a line (of `compile` two: list, copy).
@@ -124,7 +126,8 @@ int write_picture(const bench::Program& program, const char* path)
 int main(int argc, char** argv)
 {
     if (argc < 3) {
-        std::fprintf(stderr, "usage: %s immediate|lists FRAMES, compile ROUNDS, picture PROGRAM FILE\n", argv[0]);
+        std::fprintf(stderr, "usage: %s immediate|lists FRAMES, compile ROUNDS, picture PROGRAM FILE\n",
+                     argv[0]);
         return 2;
     }
     std::string error;

@@ -1,5 +1,5 @@
-// A program of programs.h on a canvas of a page: linked once with legacygl and once with Emscripten's emulation
-// of OpenGL 1 (BENCH_EMSCRIPTEN). See page.js.
+// A program of programs.h on a canvas of a page: linked once with legacygl and once with Emscripten's
+// emulation of OpenGL 1 (BENCH_EMSCRIPTEN). See page.js.
 
 #include "programs.h"
 
@@ -25,7 +25,8 @@ const bench::Program* program = nullptr;
 bool open_context(const char*)
 {
     EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    const EGLint wanted[] = {EGL_DEPTH_SIZE, 24, EGL_NONE}, version[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
+    const EGLint wanted[] = {EGL_DEPTH_SIZE, 24, EGL_NONE},
+                 version[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wanted, &config, 1, &count))

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What scripts/bench measures of OpenGL: two plain OpenGL 1.x programs, the same source for each library below
-/// them. Both draw into a current context of SIZE × SIZE pixels.
+/// What scripts/bench measures of OpenGL: two plain OpenGL 1.x programs, the same source for each library
+/// below them. Both draw into a current context of SIZE × SIZE pixels.
 namespace bench {
 
 constexpr int SIZE = 256;
@@ -13,8 +13,8 @@ struct Program
     void (*frame)(int number);
 };
 
-/// 200 objects of 64 triangles between glBegin and glEnd, lit and textured, with a normal and texture coordinates
-/// a vertex and push, translate, rotate, pop around each.
+/// 200 objects of 64 triangles between glBegin and glEnd, lit and textured, with a normal and texture
+/// coordinates a vertex and push, translate, rotate, pop around each.
 extern const Program immediate;
 
 /// 1,000 display lists, each a coloured cube of 12 triangles, called with a matrix each.

@@ -73,7 +73,8 @@ struct RasterState
     /// Returns whether polygons of the face (0 front, 1 back) are culled.
     bool culls(int face) const
     {
-        return cull_face && (cull_face_mode == GL_FRONT_AND_BACK || (cull_face_mode == GL_BACK) == (face == 1));
+        return cull_face &&
+               (cull_face_mode == GL_FRONT_AND_BACK || (cull_face_mode == GL_BACK) == (face == 1));
     }
     /// Returns whether polygons of some face are drawn as points or lines.
     bool unfilled() const

@@ -43,7 +43,8 @@ void floor_of_levels()
     glEnd();
 }
 
-/// Draws the levels of the bound texture beside each other, each texel a pixel, so that no pixel lies between two.
+/// Draws the levels of the bound texture beside each other, each texel a pixel, so that no pixel lies between
+/// two.
 void every_level(int width, int height)
 {
     two_dimensions();

@@ -1,9 +1,11 @@
 // What the CPU makes of polygons, lines and points that ES cannot draw itself.
 
 #define GL_GLEXT_PROTOTYPES
+#include "legacygl/stipple_image.h"
 #include "recorded_gl.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace {
@@ -303,6 +305,21 @@ TEST_F(Raster, BadValuesAreErrorsAndChangeNothing)
     glEnd();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
     EXPECT_EQ(context->state.raster.polygon_mode[0], static_cast<GLenum>(GL_FILL));
+}
+
+// OpenGL 1.5, 3.6.4: bits are skipped within a byte, from its highest one or from its lowest.
+TEST(StippleImage, BeginsWithinAByteWhenPixelsAreSkipped)
+{
+    std::array<std::uint8_t, 32 * 8> bits{};
+    bits[0] = 0x07; // pixels 5, 6 and 7 of the first row
+    bits[1] = 0x80; // and pixel 8
+    legacygl::PixelStore store;
+    store.alignment = 1;
+    store.row_length = 64;
+    store.skip_pixels = 5;
+    EXPECT_EQ(legacygl::unpack_stipple(store, bits.data())[0], 0xf0000000u);
+    store.lsb_first = true; // pixels 0, 1, 2, and 15
+    EXPECT_EQ(legacygl::unpack_stipple(store, bits.data())[0], 1u << (31 - 10));
 }
 
 } // namespace

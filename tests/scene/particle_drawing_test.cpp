@@ -52,7 +52,9 @@ protected:
         std::vector<Vertex> all;
         for (const Call& call : calls) {
             std::vector<Vertex> some(call.arrays.size() / sizeof(Vertex));
-            std::memcpy(some.data(), call.arrays.data(), some.size() * sizeof(Vertex));
+            if (!some.empty()) {
+                std::memcpy(some.data(), call.arrays.data(), some.size() * sizeof(Vertex));
+            }
             all.insert(all.end(), some.begin(), some.end());
         }
         return all;

@@ -72,6 +72,8 @@ SCENE(polygon_stipple_leaves_lines_and_points_alone)
     glEnd();
 }
 
+// Whole bytes are skipped: with 5 pixels, Mesa 22.3 writes a byte behind its own copy of the image. Bits are
+// skipped in raster_test.cpp.
 SCENE(polygon_stipple_reads_as_pixels_are_stored)
 {
     two_dimensions();
@@ -81,7 +83,7 @@ SCENE(polygon_stipple_reads_as_pixels_are_stored)
     glEnable(GL_POLYGON_STIPPLE);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 64);
     glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
+    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 8);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glPolygonStipple(image);
     glRectf(0.5f, 0.5f, 7.5f, 11.5f);

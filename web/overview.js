@@ -21,8 +21,8 @@ function counted(entries) {
 }
 
 /** Returns {box, update(current)}: the overview of the entries, and what brings it up to date. update returns
-    "" or, once all are checked, how many passed. */
-export function overview(entries) {
+    "" or, once all are checked, how many passed. onAllChecked is called when "Check all" has ended. */
+export function overview(entries, onAllChecked) {
   const tiles = entries.map(tile);
   const summary = element("span", "verdict");
   summary.setAttribute("role", "status");
@@ -40,8 +40,8 @@ export function overview(entries) {
     }
     progress.value = entries.length;
     running = false;
+    onAllChecked();
     all.disabled = false;
-    update();
   });
   let current = null;
   const update = (id = current) => {

@@ -14,7 +14,7 @@ export function showTasks({ program, layout, act }) {
   const parts = { program, commands, layout, act };
   const entries = program.tasks().map((task) => new TaskEntry(task, parts, () => update()));
   const figures = program.figures().map((figure) => new TaskEntry(figure, parts));
-  const { box, update: updateOverview } = overview(entries);
+  const { box, update: updateOverview } = overview(entries, () => update());
   const folded = foldedGroup("Figures of the handout", "figures", figures.map((entry) => entry.box));
   panel.append(box, ...entries.map((entry) => entry.box), folded);
 

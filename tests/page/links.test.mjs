@@ -11,7 +11,7 @@ test("a link opened twice gives the same state and the same pixels", async () =>
   const seen = [];
   for (let i = 0; i < 2; ++i)
     await withTank("chromium", { path: BARE + LINK }, async ({ page, state, problems }) => {
-      const { tick, revision, ...rest } = await state();
+      const { tick, revision, hash, ...rest } = await state(); // of time, which goes on
       seen.push({ state: rest, picture: await pixels(page, "#canvas") });
       assert.deepEqual(problems, []);
     });
@@ -121,16 +121,15 @@ test("a link of a shot under way replays it: the same flight and the same sparks
   });
   assert.match(link, /&tick=\d+/);
   await withTank("chromium", { viewport: SMALL, path: `#${link}` }, async ({ page }) => {
-    const again = await page.evaluate((fragment) => {
-      tanklab.openLink(fragment); // what passed while the page was loaded does not count
-      const { shot, sparks, inside, touches } = tanklab.state();
-      return { link: tanklab.link(), seen: JSON.stringify({ shot, sparks, inside, touches }) };
-    }, link);
-    assert.equal(again.link, link);
-    const tick = new URLSearchParams(link).get("tick");
-    const second = { ...(await watch(page, 700)), [tick]: again.seen };
-    const both = Object.keys(first).filter((each) => each in second);
-    assert.ok(both.length >= 3, `${Object.keys(first)} and ${Object.keys(second)}`);
-    for (const each of both) assert.equal(second[each], first[each], `at tick ${each}`);
+    assert.ok(Object.keys(first).length >= 3, `${Object.keys(first)}`);
+    for (const [tick, seen] of Object.entries(first)) {
+      const again = await page.evaluate((fragment) => {
+        tanklab.openLink(fragment); // what passed since then does not count
+        const { shot, sparks, inside, touches } = tanklab.state();
+        return { link: tanklab.link(), seen: JSON.stringify({ shot, sparks, inside, touches }) };
+      }, link.replace(/tick=\d+/, `tick=${tick}`));
+      assert.equal(new URLSearchParams(again.link).get("tick"), tick);
+      assert.equal(again.seen, seen, `at tick ${tick}`);
+    }
   });
 });

@@ -104,7 +104,10 @@ test("loose files are chosen by keyboard alone", async () => {
     await page.keyboard.press("Enter");
     await page.waitForSelector("dialog[open]");
     assert.equal(await page.evaluate(() => document.activeElement.textContent), "Choose files");
-    const [chooser] = await Promise.all([page.waitForFileChooser(), page.keyboard.press("Enter")]);
+    const waiting = page.waitForFileChooser();
+    await drawn(page); // the browser has to know that somebody waits
+    await page.keyboard.press("Enter");
+    const chooser = await waiting;
     assert.ok(chooser.isMultiple());
     await chooser.accept(onDisk("loose", { ...HIGH, ...lowFiles(), "texture.tga": originalTga() }));
     assert.match(await said(page), /the lab's own tank/);

@@ -7,6 +7,7 @@ const SMALL = { width: 320, height: 200 }; // quickly drawn
 
 // The commands that go to the next choice of a field, and the field.
 const CHOICES = {
+  next_tank: "tank",
   toggle_ground: "ground", next_handle: "handle", next_probe: "probe", next_spheres: "spheres", next_fit: "fit", toggle_triangles: "triangles",
   next_particles: "particles", next_detail: "detail", next_parts: "parts", next_axis: "axis", toggle_wireframe: "wireframe",
 };
@@ -105,12 +106,12 @@ test("going away and back past the threshold switches the level once each way", 
   await withTank("chromium", { viewport: SMALL, path: "#task=3.3" }, async ({ page, state }) => {
     assert.deepEqual([(await state()).level, (await state()).level_switches], ["high", 0]);
     await page.keyboard.down("PageDown");
-    await page.waitForFunction(() => tanklab.state().distance > 80);
+    await page.waitForFunction(() => tanklab.state().distance > 1.15 * tanklab.state().threshold);
     await page.keyboard.up("PageDown");
     await drawn(page);
     assert.deepEqual([(await state()).level, (await state()).level_switches], ["low", 1]);
     await page.keyboard.down("PageUp");
-    await page.waitForFunction(() => tanklab.state().distance < 45);
+    await page.waitForFunction(() => tanklab.state().distance < 0.8 * tanklab.state().threshold);
     await page.keyboard.up("PageUp");
     await drawn(page);
     assert.deepEqual([(await state()).level, (await state()).level_switches], ["high", 2]);

@@ -12,7 +12,7 @@ namespace scene {
 namespace {
 
 /// No ball is smaller than this part of the window's height, in radius.
-constexpr double LEAST_RADIUS = 0.006;
+constexpr double LEAST_RADIUS = 0.007;
 
 /// The ring around a ball is so many times larger.
 constexpr double RING_TO_BALL = 2.0;

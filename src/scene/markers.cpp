@@ -16,7 +16,7 @@ namespace scene {
 namespace {
 
 /// How much is seen of what is hidden.
-constexpr float HIDDEN_OPACITY = 0.4f;
+constexpr float HIDDEN_OPACITY = 0.5f;
 
 /// A line is as wide as this part of the window's height, and no thinner than a pixel.
 constexpr float LINE_WIDTH = 1.0f / 300.0f;

@@ -14,20 +14,21 @@ constexpr double HANDLE_RADIUS = 0.09; // metres
 constexpr double CLOSEST_POINT_RADIUS = 0.06;
 constexpr double CENTRE_RADIUS = 0.04;
 
-void draw_handle(const app::ProbeInFrame& probe, app::Handle handle, const glm::dvec3& place,
+/// Draws a place that can be moved, and marks it if it is the one that the keys move.
+void draw_handle(const app::ProbeInFrame& probe, app::Handle handle, const glm::dvec3& place, double radius,
                  const MarkerPen& pen)
 {
-    pen.ball(PROBE_COLOUR, place, HANDLE_RADIUS);
+    pen.ball(PROBE_COLOUR, place, radius);
     if (probe.handle == handle) {
-        pen.ring(MOVED_COLOUR, place, HANDLE_RADIUS);
+        pen.ring(MOVED_COLOUR, place, radius);
     }
 }
 
 void draw_line(const app::ProbeInFrame& probe, const MarkerPen& pen)
 {
     pen.line(PROBE_COLOUR, probe.from, probe.to);
-    draw_handle(probe, app::Handle::line_a, probe.a, pen);
-    draw_handle(probe, app::Handle::line_b, probe.b, pen);
+    draw_handle(probe, app::Handle::line_a, probe.a, HANDLE_RADIUS, pen);
+    draw_handle(probe, app::Handle::line_b, probe.b, HANDLE_RADIUS, pen);
     // A line that goes on says so beyond its handle.
     const glm::dvec3 along = probe.b - probe.a;
     const double length = glm::length(along);
@@ -63,7 +64,7 @@ void draw_probe(const app::Frame& frame, const MarkerPen& pen)
         return;
     }
     if (frame.probe.probe == app::Probe::point) {
-        pen.ball(PROBE_COLOUR, frame.probe.point, frame.probe.point_radius);
+        draw_handle(frame.probe, app::Handle::point, frame.probe.point, frame.probe.point_radius, pen);
     } else {
         draw_line(frame.probe, pen);
     }

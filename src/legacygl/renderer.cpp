@@ -95,7 +95,7 @@ const ShaderKey& Renderer::use(const ShaderKey& key)
 
 std::uint32_t Renderer::attributes_read(const State& state)
 {
-    const bool known = !changed_ && key_ && !key_->shaded;
+    const bool known = !(changed_ & ~matrices) && key_ && !key_->shaded;
     const std::uint32_t read =
         legacygl::attributes_read(known ? *key_ : make_shader_key(state, PrimitiveClass::triangles, true));
     return state.raster.unfilled() ? read | 1u << index_of(Attribute::edge_flag) : read;
@@ -176,6 +176,8 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
         }
     if (changed_ & pipeline)
         draw_state_.pipeline = make_pipeline(state);
+    if (changed_ & ~matrices)
+        ++draw_state_.revision;
     draw_state_.constants = &state.current;
     changed_ = 0;
     return draw_state_;
@@ -216,6 +218,13 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
 {
     if (const std::optional<RasterWork> work = raster_work(state, geometry.batch))
         return draw_shaded(state, geometry.batch, *work);
+    if (geometry.batch.used_vertices().size() <= backend_.streamed_floats)
+        return for_each_program(
+            state, geometry.batch, geometry.runs,
+            [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+                backend_.draw_stream(draw_state, geometry.batch.format, geometry.batch.used_vertices(),
+                                     geometry.indices, runs);
+            });
     if (!geometry.object.valid())
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
@@ -302,6 +311,7 @@ void Renderer::draw_shaded(const State& state, const ShaderKey& shading, const R
     const bool stipple = draw.polygons && state.raster.polygon_stipple.enabled;
     prepare(state, use(make_shaded_key(shading, draw.primitive, draw.coverage, stipple,
                                        state.fragment.effective_logic_op())));
+    ++draw_state_.revision;
     Pipeline& fixed = draw_state_.pipeline;
     fixed = make_pipeline(state);
     if (work.unfilled || !draw.polygons)

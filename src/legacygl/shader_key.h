@@ -139,8 +139,12 @@ bool keeps_length(const State& state);
 std::uint32_t attributes_read(const ShaderKey& key);
 
 /// Where the values that depend on the matrices lie in the uniform array `transform`, in vec4s; -1: absent.
+/// The array holds as many of them, each in a slot, as fit beside what else a vertex shader may read: ES 3
+/// promises 256 vec4s, and a vertex says which slot is its own.
 struct TransformLayout
 {
+    static constexpr int CAPACITY = 128;
+
     explicit TransformLayout(const ShaderKey& key);
     int projection_modelview = 0; ///< 4 columns
     int modelview = -1;           ///< 4 columns
@@ -148,7 +152,8 @@ struct TransformLayout
     int normal_scale = -1;        ///< x
     int object_lights = -1;       ///< direction and half vector for each light, in object coordinates
     int point = -1;               ///< viewport x, y, width, height; then x: size
-    int size = 4;
+    int size = 4; ///< Of one slot.
+    int slots() const { return CAPACITY / size; }
 };
 
 /// Where things lie in the uniform array `lighting`, in vec4s.

@@ -5,11 +5,6 @@
 namespace legacygl {
 namespace {
 
-std::string transform(int index)
-{
-    return at("transform", index);
-}
-
 std::string lighting(int index)
 {
     return at("lighting", index);
@@ -70,7 +65,7 @@ private:
         const bool attenuated = light.spot || (light.attenuated && light.positional);
         line("{");
         if (!key_.eye_space) {
-            line("vec3 direction = " + transform(layout_.object_lights + 2 * i) + ".xyz;");
+            line("vec3 direction = " + of_transform(layout_.object_lights + 2 * i) + ".xyz;");
         } else if (!light.positional) {
             line("vec3 direction = " + lighting(base + POSITION) + ".xyz;");
         } else {
@@ -111,7 +106,7 @@ private:
         if (key_.local_viewer)
             line("vec3 h = direction - eye_direction;");
         else if (!key_.eye_space)
-            line("vec3 h = " + transform(layout_.object_lights + 2 * i + 1) + ".xyz;");
+            line("vec3 h = " + of_transform(layout_.object_lights + 2 * i + 1) + ".xyz;");
         else if (!light.positional)
             line("vec3 h = " + lighting(base + HALF_VECTOR) + ".xyz;");
         else
@@ -171,12 +166,12 @@ std::string normal_text(const ShaderKey& key)
     const TransformLayout layout(key);
     std::string text = "    vec3 n = normal;\n";
     if (key.eye_space)
-        text += "    n = vec3(dot(n, " + transform(layout.normal) + ".xyz), dot(n, " +
-                transform(layout.normal + 1) + ".xyz), dot(n, " + transform(layout.normal + 2) + ".xyz));\n";
+        text += "    n = vec3(dot(n, " + of_transform(layout.normal) + ".xyz), dot(n, " +
+                of_transform(layout.normal + 1) + ".xyz), dot(n, " + of_transform(layout.normal + 2) + ".xyz));\n";
     if (key.normalize)
         text += "    n = n * inversesqrt(dot(n, n));\n";
     else if (key.needs_normal_scale())
-        text += "    n = n * " + transform(layout.normal_scale) + ".x;\n";
+        text += "    n = n * " + of_transform(layout.normal_scale) + ".x;\n";
     return text;
 }
 

@@ -60,8 +60,8 @@ std::string snapped_point_text(const std::string& size, const std::string& viewp
 /// Points whose centre lies outside of the clip volume are dropped; those that come shaded are not any more.
 std::string point_text(const ShaderKey& key, const TransformLayout& layout)
 {
-    const std::string viewport = at("transform", layout.point);
-    const std::string size = key.shaded ? "extra.x" : at("transform", layout.point + 1) + ".x";
+    const std::string viewport = of_transform(layout.point);
+    const std::string size = key.shaded ? "extra.x" : of_transform(layout.point + 1) + ".x";
     const std::string set_size = "    gl_PointSize = " + size + ";\n";
     if (key.shaded)
         return set_size + snapped_point_text(size, viewport);
@@ -81,6 +81,11 @@ constexpr const char* SPHERE_TEXT =
     "    vec3 reflection = -n_twice * n + to_vertex;\n"
     "    vec3 half_way = reflection + vec3(0.0, 0.0, 1.0);\n"
     "    vec4 sphere = vec4(reflection * (inversesqrt(dot(half_way, half_way)) * 0.5) + 0.5, 1.0);\n";
+
+std::string transform_columns_times(int first, const std::string& v)
+{
+    return columns_times([first](int i) { return of_transform(first + i); }, v);
+}
 
 std::string clamped(const std::string& name)
 {
@@ -102,18 +107,20 @@ std::string vertex_text(const ShaderKey& key)
                        "layout(location = 4) in float fog_coordinate;\n"
                        "layout(location = 5) in vec4 texture_coordinate_0;\n"
                        "layout(location = 6) in vec4 texture_coordinate_1;\n";
-    text += uniforms("transform", layout.size);
+    text += "layout(location = " + std::to_string(TRANSFORM_SLOT_LOCATION) + ") in float transform_slot;\n";
+    text += uniforms("transform", layout.size * layout.slots());
     if (key.lighting)
         text += uniforms("lighting", lighting_layout::size(key.light_count));
     if (key.textured())
         text += uniforms("texturing", texturing_layout::SIZE);
     text += varyings(key, "out");
     text += "void main()\n{\n";
+    text += "    int slot = int(transform_slot) * " + std::to_string(layout.size) + ";\n";
     text += "    gl_Position = " +
-            (key.shaded ? "position" : columns_times("transform", layout.projection_modelview, "position")) +
+            (key.shaded ? "position" : transform_columns_times(layout.projection_modelview, "position")) +
             ";\n";
     if (key.needs_eye_position())
-        text += "    vec4 eye = " + columns_times("transform", layout.modelview, "position") + ";\n";
+        text += "    vec4 eye = " + transform_columns_times(layout.modelview, "position") + ";\n";
     if (key.needs_normal())
         text += normal_text(key);
     text += key.lighting ? lighting_text(key) : "    front_color = color;\n";
@@ -257,7 +264,7 @@ std::string fragment_text(const ShaderKey& key)
 
 ProgramText make_program_text(const ShaderKey& key)
 {
-    return {vertex_text(key), fragment_text(key)};
+    return {vertex_text(key), fragment_text(key), TransformLayout(key).slots(), attributes_read(key)};
 }
 
 } // namespace legacygl

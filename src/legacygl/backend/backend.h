@@ -34,6 +34,10 @@ constexpr int UNIFORM_GROUP_COUNT = static_cast<int>(UniformGroup::count);
 constexpr std::array<const char*, UNIFORM_GROUP_COUNT> UNIFORM_GROUP_NAMES = {"transform", "lighting",
                                                                               "texturing", "fragments"};
 
+/// The location of the attribute that says which slot of the uniform array `transform` a vertex uses. Where no
+/// array gives it, it is 0.
+constexpr int TRANSFORM_SLOT_LOCATION = ATTRIBUTE_COUNT;
+
 /// Samplers of a program: of the texture units, then of the copy of the target that a logic op reads.
 constexpr int TARGET_COPY_SAMPLER = TEXTURE_UNIT_COUNT, SAMPLER_COUNT = TEXTURE_UNIT_COUNT + 1;
 
@@ -43,6 +47,8 @@ struct ProgramText
 {
     std::string vertex;
     std::string fragment;
+    int transform_slots = 1;           ///< How many transforms the uniform array `transform` holds.
+    std::uint32_t attributes_read = 0; ///< Bits of Attribute.
 };
 
 /// The values of one uniform group. revision is new whenever a value is.
@@ -84,6 +90,8 @@ struct DrawState
     std::array<UniformValues, UNIFORM_GROUP_COUNT> uniforms;
     std::array<TextureId, SAMPLER_COUNT> textures{};
     Pipeline pipeline;
+    /// New whenever anything above but the transform is.
+    std::uint64_t revision = 0;
     /// What an attribute is for all vertices when the format lacks it.
     const CurrentAttributes* constants = nullptr;
 };
@@ -153,6 +161,8 @@ public:
     LegacyGLCounters counters{};
     /// The widest line that can be drawn; wider ones must come as triangles.
     float maximum_line_width = 1;
+    /// Up to so many floats of vertices are better drawn as a stream each time than kept as a geometry.
+    std::size_t streamed_floats = 0;
     /// Counts the ES contexts lost so far; an object made in another generation is gone.
     std::uint32_t generation = 0;
 };

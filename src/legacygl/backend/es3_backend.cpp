@@ -1,5 +1,6 @@
 #include "legacygl/backend/es3_backend.h"
 
+#include "legacygl/backend/es3_fixed_state.h"
 #include "legacygl/backend/es3_functions.h"
 #include "legacygl/backend/es3_geometry.h"
 #include "legacygl/backend/es3_shader.h"
@@ -17,10 +18,14 @@ namespace {
 struct Program
 {
     GLuint name = 0;
+    int transform_slots = 1;
+    std::uint32_t attributes_read = 0;
     std::array<GLint, UNIFORM_GROUP_COUNT> locations{};
-    std::array<std::uint64_t, UNIFORM_GROUP_COUNT> revisions{}; ///< Of the values it holds.
+    std::array<std::uint64_t, UNIFORM_GROUP_COUNT> revisions{}; ///< Of the values it holds; in slot 0.
 };
 
+/// A few hundred vertices: copied faster than drawn by themselves.
+constexpr std::size_t SMALL_FLOATS = 2048;
 constexpr int TRANSFORM = static_cast<int>(UniformGroup::transform);
 
 /// Index 0 stays empty, so that 0 can mean none.
@@ -37,6 +42,7 @@ public:
         : gl_(functions), target_(gl_, target, width, height)
     {
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum_texture_size);
+        streamed_floats = SMALL_FLOATS;
         restore_state();
     }
 
@@ -52,6 +58,8 @@ public:
     {
         draw_gathered();
         Program program;
+        program.transform_slots = text.transform_slots;
+        program.attributes_read = text.attributes_read;
         std::string message;
         program.name = link_program(gl_, text.vertex, text.fragment, message);
         if (program.name == 0)
@@ -134,27 +142,31 @@ public:
     void draw(const DrawState& state, GeometryId id, std::span<const DrawRun> runs) override
     {
         draw_gathered();
-        if (apply(state, geometries_.format(id)))
-            geometries_.draw(id, runs);
+        if (!apply(state, geometries_.format(id)))
+            return;
+        upload(programs_[state.program], TRANSFORM, state.uniforms[TRANSFORM]);
+        geometries_.draw(id, runs);
     }
 
     void draw_stream(const DrawState& state, const VertexFormat& format, std::span<const float> vertices,
                      std::span<const std::uint32_t> indices, std::span<const DrawRun> runs) override
     {
-        if (gathered_.empty() || gathered_.full() || !only_transform_changes(state, format)) {
-            draw_gathered();
-            if (!apply(state, format))
-                return;
-            gathered_.format = format;
-            gathered_program_ = state.program;
-        }
-        gathered_.add(state.uniforms[TRANSFORM], vertices, indices, runs);
+        const auto add = [&] { return gathered_.add(state.uniforms[TRANSFORM], vertices, indices, runs); };
+        if (!gathered_.empty() && only_transform_changes(state, format) && add())
+            return;
+        draw_gathered();
+        if (!apply(state, format))
+            return;
+        gathered_program_ = state.program;
+        gathered_revision_ = state.revision;
+        gathered_.begin(format, programs_[state.program].transform_slots);
+        add();
     }
 
     void clear(const Pipeline& pipeline, const Clear& clear) override
     {
         draw_gathered();
-        apply(pipeline);
+        fixed_.apply(pipeline);
         gl_.ClearColor(clear.color.r, clear.color.g, clear.color.b, clear.color.a);
         gl_.ClearDepthf(clear.depth);
         gl_.ClearStencil(clear.stencil);
@@ -225,7 +237,7 @@ private:
 
     void forget_state()
     {
-        pipeline_.reset();
+        fixed_.forget();
         used_program_ = 0;
         bound_textures_ = {};
         active_unit_ = -1;
@@ -236,21 +248,17 @@ private:
     /// Whether the draw differs from those gathered in its vertices and its transform alone.
     bool only_transform_changes(const DrawState& state, const VertexFormat& format) const
     {
-        if (state.program != gathered_program_ || format != gathered_.format ||
-            !(state.pipeline == *pipeline_))
-            return false;
-        const Program& program = programs_[state.program];
-        for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
-            if (i != TRANSFORM && program.locations[i] >= 0 &&
-                program.revisions[i] != state.uniforms[i].revision)
-                return false;
-        for (int unit = 0; unit < SAMPLER_COUNT; ++unit)
-            if (state.textures[unit] != 0 && state.textures[unit] != bound_textures_[unit])
-                return false;
-        for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-            if (format.components[i] == 0 && constants_[i] != (*state.constants)[i])
-                return false;
-        return true;
+        return state.revision == gathered_revision_ && state.program == gathered_program_ &&
+               format == gathered_.format() && has_constants(state, format);
+    }
+
+    /// Calls what with each attribute that the program reads and the vertices lack.
+    template <class What>
+    static void for_each_constant(const Program& program, const VertexFormat& format, What what)
+    {
+        for (int i = 1; program.attributes_read >> i != 0; ++i)
+            if ((program.attributes_read & (1u << i)) && format.components[i] == 0)
+                what(i);
     }
 
     /// Draws what waits for its upload; everything that looks at the picture or changes what is used does so
@@ -259,14 +267,13 @@ private:
     {
         if (gathered_.empty())
             return;
-        geometries_.bind_stream(gathered_.format, gathered_.vertices, gathered_.indices);
+        geometries_.bind_stream(gathered_.format(), gathered_.vertices(), gathered_.slot_of_vertices(),
+                                gathered_.indices());
         Program& program = programs_[gathered_program_];
-        for (const Es3Stream::Draw& draw : gathered_.draws) {
-            upload(program, TRANSFORM,
-                   {std::span(gathered_.transforms).subspan(draw.first_value, draw.values), draw.revision});
-            geometries_.draw_runs(std::span(gathered_.runs).subspan(draw.first_run, draw.runs),
-                                  draw.first_vertex, draw.first_index);
-        }
+        if (gathered_.uses_slots())
+            program.revisions[TRANSFORM] = 0; // Slot 0 alone is not all of it.
+        upload(program, TRANSFORM, {gathered_.transforms(), gathered_.first_revision()});
+        geometries_.draw_runs(gathered_.runs());
         gathered_.clear();
     }
 
@@ -294,81 +301,23 @@ private:
         bound_textures_[unit] = id;
     }
 
-    void set_enabled(GLenum capability, bool enabled)
+    bool has_constants(const DrawState& state, const VertexFormat& format) const
     {
-        enabled ? gl_.Enable(capability) : gl_.Disable(capability);
-    }
-
-    void apply(const StencilState& s)
-    {
-        set_enabled(GL_STENCIL_TEST, s.enabled);
-        gl_.StencilFunc(s.func, s.reference, s.value_mask);
-        gl_.StencilOp(s.fail, s.depth_fail, s.depth_pass);
-        gl_.StencilMask(s.write_mask);
-    }
-
-    void apply(const BlendState& b)
-    {
-        set_enabled(GL_BLEND, b.enabled);
-        gl_.BlendFuncSeparate(b.source_rgb, b.destination_rgb, b.source_alpha, b.destination_alpha);
-        gl_.BlendEquation(b.equation);
-        gl_.BlendColor(b.color.r, b.color.g, b.color.b, b.color.a);
-    }
-
-    void apply(const Pipeline& p)
-    {
-        if (pipeline_ && *pipeline_ == p)
-            return;
-        const bool all = !pipeline_;
-        const Pipeline& old = all ? p : *pipeline_;
-        if (all || old.draws_front != p.draws_front || old.draws_back != p.draws_back)
-            target_.draw_into(p.draws_front, p.draws_back);
-        if (all || old.viewport != p.viewport)
-            gl_.Viewport(p.viewport[0], p.viewport[1], p.viewport[2], p.viewport[3]);
-        if (all || old.depth_range != p.depth_range)
-            gl_.DepthRangef(p.depth_range[0], p.depth_range[1]);
-        if (all || old.depth_test != p.depth_test)
-            set_enabled(GL_DEPTH_TEST, p.depth_test);
-        if (all || old.depth_mask != p.depth_mask)
-            gl_.DepthMask(p.depth_mask);
-        if (all || old.depth_func != p.depth_func)
-            gl_.DepthFunc(p.depth_func);
-        if (all || old.cull_face != p.cull_face)
-            set_enabled(GL_CULL_FACE, p.cull_face);
-        if (all || old.cull_face_mode != p.cull_face_mode)
-            gl_.CullFace(p.cull_face_mode);
-        if (all || old.front_face != p.front_face)
-            gl_.FrontFace(p.front_face);
-        if (all || old.scissor_test != p.scissor_test)
-            set_enabled(GL_SCISSOR_TEST, p.scissor_test);
-        if (all || old.scissor_box != p.scissor_box)
-            gl_.Scissor(p.scissor_box[0], p.scissor_box[1], p.scissor_box[2], p.scissor_box[3]);
-        if (all || !(old.stencil == p.stencil))
-            apply(p.stencil);
-        if (all || !(old.blend == p.blend))
-            apply(p.blend);
-        if (all || old.polygon_offset != p.polygon_offset)
-            set_enabled(GL_POLYGON_OFFSET_FILL, p.polygon_offset);
-        if (all || old.polygon_offset_factor_units != p.polygon_offset_factor_units)
-            gl_.PolygonOffset(p.polygon_offset_factor_units[0], p.polygon_offset_factor_units[1]);
-        if (all || old.color_mask != p.color_mask)
-            gl_.ColorMask(p.color_mask[0], p.color_mask[1], p.color_mask[2], p.color_mask[3]);
-        if (all || old.dither != p.dither)
-            set_enabled(GL_DITHER, p.dither);
-        if (all || old.line_width != p.line_width)
-            gl_.LineWidth(p.line_width);
-        pipeline_ = p;
+        bool all = true;
+        for_each_constant(programs_[state.program], format,
+                          [&](int i) { all = all && constants_[i] == (*state.constants)[i]; });
+        return all;
     }
 
     void apply_constants(const DrawState& state, const VertexFormat& format)
     {
-        for (int i = 1; i < ATTRIBUTE_COUNT; ++i) {
+        for_each_constant(programs_[state.program], format, [&](int i) {
             const glm::vec4& value = (*state.constants)[i];
-            if (format.components[i] != 0 || constants_[i] == value)
-                continue;
+            if (constants_[i] == value)
+                return;
             gl_.VertexAttrib4f(i, value.x, value.y, value.z, value.w);
             constants_[i] = value;
-        }
+        });
     }
 
     bool apply(const DrawState& state, const VertexFormat& format)
@@ -380,24 +329,26 @@ private:
             gl_.UseProgram(program.name);
         used_program_ = program.name;
         for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
-            upload(program, i, state.uniforms[i]);
+            if (i != TRANSFORM)
+                upload(program, i, state.uniforms[i]);
         for (int unit = SAMPLER_COUNT; unit-- > 0;)
             if (state.textures[unit] != 0)
                 bind_texture(state.textures[unit], unit);
-        apply(state.pipeline);
+        fixed_.apply(state.pipeline);
         apply_constants(state, format);
         return program.name != 0;
     }
 
     const Es3Functions gl_;
     Es3Target target_;
+    Es3FixedState fixed_{gl_, target_};
     Es3Geometries geometries_{gl_, counters};
     Es3Stream gathered_;
     ProgramId gathered_program_ = 0;
+    std::uint64_t gathered_revision_ = 0;
     std::vector<Program> programs_{1};
 
     bool lost_ = false;
-    std::optional<Pipeline> pipeline_; ///< What ES has now; empty when that is not known.
     std::array<std::optional<glm::vec4>, ATTRIBUTE_COUNT> constants_;
     GLuint used_program_ = 0;
     std::array<TextureId, SAMPLER_COUNT> bound_textures_{};

@@ -5,9 +5,6 @@
 namespace legacygl {
 namespace {
 
-/// What a shared page holds, and how much of it one geometry may take: a few dozen fit.
-constexpr std::uint32_t PAGE_FLOATS = 32768, PAGE_INDICES = 16384, SHARE = 16;
-
 GLenum draw_mode(PrimitiveClass primitive)
 {
     switch (primitive) {
@@ -25,86 +22,58 @@ GLenum draw_mode(PrimitiveClass primitive)
 GeometryId Es3Geometries::create(const VertexFormat& format, std::span<const float> vertices,
                                  std::span<const std::uint32_t> indices)
 {
-    Geometry geometry;
-    geometry.page = page_for(format, vertices.size(), indices.size());
-    Page& page = pages_[geometry.page];
-    ++page.geometries;
-    bind(page.array.name);
-    gl_.BindBuffer(GL_ARRAY_BUFFER, page.array.vertices);
-    if (!page.shared) {
-        allocate(GL_ARRAY_BUFFER, vertices.size_bytes(), vertices.data(), GL_STATIC_DRAW);
-        if (!indices.empty())
-            allocate(GL_ELEMENT_ARRAY_BUFFER, indices.size_bytes(), indices.data(), GL_STATIC_DRAW);
-    } else {
-        geometry.first_vertex = page.used_floats / static_cast<std::uint32_t>(format.floats());
-        geometry.first_index = page.used_indices;
-        upload(GL_ARRAY_BUFFER, page.used_floats * sizeof(float), vertices.size_bytes(), vertices.data());
-        if (!indices.empty()) {
-            if (page.used_indices == 0)
-                allocate(GL_ELEMENT_ARRAY_BUFFER, PAGE_INDICES * sizeof(std::uint32_t), nullptr,
-                         GL_STATIC_DRAW);
-            rebased_.assign(indices.begin(), indices.end());
-            for (std::uint32_t& index : rebased_)
-                index += geometry.first_vertex;
-            upload(GL_ELEMENT_ARRAY_BUFFER, page.used_indices * sizeof(std::uint32_t), indices.size_bytes(),
-                   rebased_.data());
-        }
-        page.used_floats += static_cast<std::uint32_t>(vertices.size());
-        page.used_indices += static_cast<std::uint32_t>(indices.size());
-    }
+    Es3VertexArray array = make_array(format, false);
+    upload(GL_ARRAY_BUFFER, array.vertices, vertices.size_bytes(), vertices.data(), GL_STATIC_DRAW);
+    if (!indices.empty())
+        upload(GL_ELEMENT_ARRAY_BUFFER, array.indices, indices.size_bytes(), indices.data(), GL_STATIC_DRAW);
     if (free_.empty()) {
-        geometries_.push_back(geometry);
+        geometries_.push_back(array);
         return static_cast<GeometryId>(geometries_.size() - 1);
     }
     const GeometryId id = free_.back();
     free_.pop_back();
-    geometries_[id] = geometry;
+    geometries_[id] = array;
     return id;
 }
 
 void Es3Geometries::destroy(GeometryId id)
 {
-    Page& page = pages_[geometries_[id].page];
-    if (--page.geometries == 0) {
-        destroy(page.array);
-        page = Page{};
-    }
+    destroy(geometries_[id]);
     free_.push_back(id);
 }
 
 void Es3Geometries::draw(GeometryId id, std::span<const DrawRun> runs)
 {
-    const Geometry& geometry = geometries_[id];
-    bind(pages_[geometry.page].array.name);
-    draw_runs(runs, geometry.first_vertex, geometry.first_index);
+    bind(geometries_[id].name);
+    draw_runs(runs);
 }
 
 void Es3Geometries::bind_stream(const VertexFormat& format, std::span<const float> vertices,
-                                std::span<const std::uint32_t> indices)
+                                std::span<const float> slots, std::span<const std::uint32_t> indices)
 {
-    auto stream = std::find_if(streams_.begin(), streams_.end(),
-                               [&](const Es3VertexArray& array) { return array.format == format; });
+    const bool with_slots = !slots.empty();
+    auto stream = std::find_if(streams_.begin(), streams_.end(), [&](const Es3VertexArray& array) {
+        return array.format == format && (array.slots != 0) == with_slots;
+    });
     if (stream == streams_.end())
-        stream = streams_.insert(stream, make_array(format));
+        stream = streams_.insert(stream, make_array(format, with_slots));
     bind(stream->name);
-    gl_.BindBuffer(GL_ARRAY_BUFFER, stream->vertices);
-    allocate(GL_ARRAY_BUFFER, vertices.size_bytes(), vertices.data(), GL_STREAM_DRAW);
+    upload(GL_ARRAY_BUFFER, stream->vertices, vertices.size_bytes(), vertices.data(), GL_STREAM_DRAW);
+    if (with_slots)
+        upload(GL_ARRAY_BUFFER, stream->slots, slots.size_bytes(), slots.data(), GL_STREAM_DRAW);
     if (!indices.empty())
-        allocate(GL_ELEMENT_ARRAY_BUFFER, indices.size_bytes(), indices.data(), GL_STREAM_DRAW);
+        upload(GL_ELEMENT_ARRAY_BUFFER, stream->indices, indices.size_bytes(), indices.data(), GL_STREAM_DRAW);
 }
 
-void Es3Geometries::draw_runs(std::span<const DrawRun> runs, std::uint32_t first_vertex,
-                              std::uint32_t first_index)
+void Es3Geometries::draw_runs(std::span<const DrawRun> runs)
 {
     for (const DrawRun& run : runs) {
         const auto count = static_cast<GLsizei>(run.count);
-        if (run.indexed) {
-            const std::size_t offset = (first_index + std::size_t{run.first}) * sizeof(std::uint32_t);
+        if (run.indexed)
             gl_.DrawElements(draw_mode(run.primitive), count, GL_UNSIGNED_INT,
-                             reinterpret_cast<const void*>(offset));
-        } else {
-            gl_.DrawArrays(draw_mode(run.primitive), static_cast<GLint>(first_vertex + run.first), count);
-        }
+                             reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
+        else
+            gl_.DrawArrays(draw_mode(run.primitive), static_cast<GLint>(run.first), count);
         ++counters_.draw_calls;
         counters_.vertices += run.count;
     }
@@ -112,8 +81,8 @@ void Es3Geometries::draw_runs(std::span<const DrawRun> runs, std::uint32_t first
 
 void Es3Geometries::clear()
 {
-    for (Page& page : pages_)
-        destroy(page.array);
+    for (Es3VertexArray& array : geometries_)
+        destroy(array);
     for (Es3VertexArray& stream : streams_)
         destroy(stream);
     forget();
@@ -121,43 +90,13 @@ void Es3Geometries::clear()
 
 void Es3Geometries::forget()
 {
-    pages_.clear();
     geometries_.resize(1);
     free_.clear();
     streams_.clear();
     bound_ = 0;
 }
 
-/// Returns the shared page that has room for a geometry, or a page of its own for a large one.
-std::uint32_t Es3Geometries::page_for(const VertexFormat& format, std::size_t floats, std::size_t indices)
-{
-    const bool shares = floats <= PAGE_FLOATS / SHARE && indices <= PAGE_INDICES / SHARE && floats != 0;
-    for (std::size_t i = pages_.size(); shares && i-- > 0;) {
-        const Page& page = pages_[i];
-        if (page.shared && page.array.format == format && page.used_floats + floats <= PAGE_FLOATS &&
-            page.used_indices + indices <= PAGE_INDICES)
-            return static_cast<std::uint32_t>(i);
-    }
-    const std::uint32_t made = make_page(format);
-    if (shares) {
-        pages_[made].shared = true;
-        allocate(GL_ARRAY_BUFFER, PAGE_FLOATS * sizeof(float), nullptr, GL_STATIC_DRAW);
-    }
-    return made;
-}
-
-/// Makes a page in a free place and binds its vertex array and its buffers.
-std::uint32_t Es3Geometries::make_page(const VertexFormat& format)
-{
-    auto place =
-        std::find_if(pages_.begin(), pages_.end(), [](const Page& page) { return page.geometries == 0; });
-    if (place == pages_.end())
-        place = pages_.insert(place, Page{});
-    place->array = make_array(format);
-    return static_cast<std::uint32_t>(place - pages_.begin());
-}
-
-Es3VertexArray Es3Geometries::make_array(const VertexFormat& format)
+Es3VertexArray Es3Geometries::make_array(const VertexFormat& format, bool with_slots)
 {
     Es3VertexArray array;
     array.format = format;
@@ -175,6 +114,12 @@ Es3VertexArray Es3Geometries::make_array(const VertexFormat& format)
                                 reinterpret_cast<const void*>(offset));
         offset += format.components[i] * sizeof(float);
     }
+    if (with_slots) {
+        gl_.GenBuffers(1, &array.slots);
+        gl_.BindBuffer(GL_ARRAY_BUFFER, array.slots);
+        gl_.EnableVertexAttribArray(TRANSFORM_SLOT_LOCATION);
+        gl_.VertexAttribPointer(TRANSFORM_SLOT_LOCATION, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+    }
     gl_.GenBuffers(1, &array.indices);
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, array.indices);
     return array;
@@ -189,6 +134,8 @@ void Es3Geometries::destroy(Es3VertexArray& array)
     gl_.DeleteVertexArrays(1, &array.name);
     gl_.DeleteBuffers(1, &array.vertices);
     gl_.DeleteBuffers(1, &array.indices);
+    if (array.slots != 0)
+        gl_.DeleteBuffers(1, &array.slots);
     array = Es3VertexArray{};
 }
 
@@ -199,21 +146,12 @@ void Es3Geometries::bind(GLuint vertex_array)
     bound_ = vertex_array;
 }
 
-void Es3Geometries::allocate(GLenum target, std::size_t bytes, const void* data, GLenum usage)
+/// Replaces what the buffer holds. The vertex array that indices belong to is bound.
+void Es3Geometries::upload(GLenum target, GLuint buffer, std::size_t bytes, const void* data, GLenum usage)
 {
+    if (target == GL_ARRAY_BUFFER)
+        gl_.BindBuffer(target, buffer);
     gl_.BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
-    if (data != nullptr)
-        count_upload(bytes);
-}
-
-void Es3Geometries::upload(GLenum target, std::size_t offset, std::size_t bytes, const void* data)
-{
-    gl_.BufferSubData(target, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
-    count_upload(bytes);
-}
-
-void Es3Geometries::count_upload(std::size_t bytes)
-{
     ++counters_.uploads;
     counters_.upload_bytes += bytes;
 }

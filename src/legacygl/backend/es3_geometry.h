@@ -15,13 +15,11 @@ struct Es3VertexArray
     GLuint name = 0;
     GLuint vertices = 0;
     GLuint indices = 0;
+    GLuint slots = 0; ///< The slot of each vertex; 0: all use slot 0.
     VertexFormat format;
 };
 
 /// The vertices and indices of a backend: those that stay, and vertex arrays for those that are used once.
-///
-/// Small geometries of one format share buffers, so that lists that are drawn one after the other need no
-/// other vertex array.
 class Es3Geometries
 {
 public:
@@ -32,14 +30,15 @@ public:
     GeometryId create(const VertexFormat& format, std::span<const float> vertices,
                       std::span<const std::uint32_t> indices);
     void destroy(GeometryId id);
-    const VertexFormat& format(GeometryId id) const { return pages_[geometries_[id].page].array.format; }
+    const VertexFormat& format(GeometryId id) const { return geometries_[id].format; }
     void draw(GeometryId id, std::span<const DrawRun> runs);
 
-    /// Uploads what is drawn once and binds its vertex array. draw_runs then draws of it.
+    /// Uploads what is drawn once and binds its vertex array. draw_runs then draws of it. slots: of each vertex
+    /// that of its transform; none: slot 0.
     void bind_stream(const VertexFormat& format, std::span<const float> vertices,
-                     std::span<const std::uint32_t> indices);
-    /// Draws runs of the bound vertex array, whose vertices and indices begin at these places.
-    void draw_runs(std::span<const DrawRun> runs, std::uint32_t first_vertex, std::uint32_t first_index);
+                     std::span<const float> slots, std::span<const std::uint32_t> indices);
+    /// Draws runs of the bound vertex array.
+    void draw_runs(std::span<const DrawRun> runs);
 
     /// Deletes all objects.
     void clear();
@@ -49,38 +48,16 @@ public:
     void forget_binding() { bound_ = 0; }
 
 private:
-    /// Buffers that geometries of one format share, filled from the front; freed when the last of them is.
-    struct Page
-    {
-        Es3VertexArray array;
-        bool shared = false;
-        std::uint32_t used_floats = 0;
-        std::uint32_t used_indices = 0;
-        std::uint32_t geometries = 0; ///< 0: the page is free.
-    };
-    struct Geometry
-    {
-        std::uint32_t page = 0;
-        std::uint32_t first_vertex = 0;
-        std::uint32_t first_index = 0;
-    };
-
-    std::uint32_t page_for(const VertexFormat& format, std::size_t floats, std::size_t indices);
-    std::uint32_t make_page(const VertexFormat& format);
-    Es3VertexArray make_array(const VertexFormat& format);
+    Es3VertexArray make_array(const VertexFormat& format, bool with_slots);
     void destroy(Es3VertexArray& array);
     void bind(GLuint vertex_array);
-    void allocate(GLenum target, std::size_t bytes, const void* data, GLenum usage);
-    void upload(GLenum target, std::size_t offset, std::size_t bytes, const void* data);
-    void count_upload(std::size_t bytes);
+    void upload(GLenum target, GLuint buffer, std::size_t bytes, const void* data, GLenum usage);
 
     const Es3Functions& gl_;
     LegacyGLCounters& counters_;
-    std::vector<Page> pages_;
-    std::vector<Geometry> geometries_{1}; ///< The first stays empty, so that 0 can mean none.
+    std::vector<Es3VertexArray> geometries_{1}; ///< The first stays empty, so that 0 can mean none.
     std::vector<GeometryId> free_;
-    std::vector<Es3VertexArray> streams_; ///< One a format, made at its first use.
-    std::vector<std::uint32_t> rebased_;  ///< Scratch.
+    std::vector<Es3VertexArray> streams_; ///< One a format, with slots and without, made at its first use.
     GLuint bound_ = 0;                    ///< 0: not known.
 };
 

@@ -76,12 +76,15 @@ void dispatch_vertex(const char* name, Operation operation, Args... args)
     Context* gl = current_context;
     if (!gl)
         return;
-    if (gl->capture.active())
-        gl->note(name, args...);
-    if (gl->compiler) {
-        operation(gl->compiler->vertices(), args...);
-        if (!gl->compiler->executes())
-            return;
+    // One branch for what is rare: these are the calls that programs make most.
+    if (static_cast<int>(gl->capture.active()) | static_cast<int>(gl->compiler.has_value())) [[unlikely]] {
+        if (gl->capture.active())
+            gl->note(name, args...);
+        if (gl->compiler) {
+            operation(gl->compiler->vertices(), args...);
+            if (!gl->compiler->executes())
+                return;
+        }
     }
     operation(gl->immediate, args...);
 }

@@ -19,8 +19,19 @@ int significant_components(const glm::vec4& value, int at_least)
 
 } // namespace
 
+void VertexAssembler::set_wanted(std::uint32_t mask)
+{
+    wanted_ = mask;
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+        if (!(mask & (1u << i)))
+            batch_.format.components[i] = 0;
+    lay_out();
+}
+
 void VertexAssembler::begin(GLenum mode)
 {
+    if (!has_vertices())
+        load_template();
     inside_ = true;
     began_here_ = true;
     set_between_ = 0;
@@ -40,6 +51,8 @@ void VertexAssembler::end()
     if (!inside_)
         resume(UNKNOWN_MODE);
     close_primitive(true);
+    store_current();
+    in_template_ = {};
     inside_ = false;
     room_ = 0;
 }
@@ -53,7 +66,7 @@ VertexBatch VertexAssembler::take()
 {
     if (inside_)
         close_primitive(false);
-    batch_.last = *current_;
+    batch_.last = current();
     VertexBatch out = std::move(batch_);
     out.vertices.resize(out.used_vertices().size());
     out.vertices.shrink_to_fit();
@@ -62,29 +75,65 @@ VertexBatch VertexAssembler::take()
     return out;
 }
 
+/// The next batch begins with the attributes that this one's vertices had of their own: most likely it wants
+/// the same. In a list it must not, where an attribute means that the list has set it.
 void VertexAssembler::clear()
 {
-    batch_.format = VertexFormat{};
+    store_current();
+    in_template_ = {};
+    for (int i = 0; i < ATTRIBUTE_COUNT; ++i)
+        if (use_ == Use::list || (i != 0 && !batch_.varies(static_cast<Attribute>(i))))
+            batch_.format.components[i] = 0;
+    lay_out();
     batch_.primitives.clear();
     batch_.unset_before = {};
     batch_.material_changes.clear();
     batch_.attributes_set = batch_.attributes_varying = 0;
-    offsets_ = {};
-    floats_ = 0;
     batch_.vertex_count = 0;
     first_ = 0;
     began_here_ = false;
     room_ = 0;
 }
 
+void VertexAssembler::lay_out()
+{
+    floats_ = 0;
+    for (int i = 0; i < ATTRIBUTE_COUNT; ++i) {
+        offsets_[i] = floats_;
+        floats_ += batch_.format.components[i];
+    }
+}
+
+void VertexAssembler::load_template()
+{
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+        for (int c = 0; c < batch_.format.components[i]; ++c)
+            template_[offsets_[i] + c] = (*current_)[i][c];
+}
+
+void VertexAssembler::store_current()
+{
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+        store_current(i);
+}
+
+void VertexAssembler::store_current(int i)
+{
+    if (in_template_[i] == 0)
+        return;
+    (*current_)[i] = DEFAULT_COMPONENTS;
+    for (int c = 0; c < in_template_[i]; ++c)
+        (*current_)[i][c] = template_[offsets_[i] + c];
+}
+
 /// Finds room for one more vertex at least.
 void VertexAssembler::make_room()
 {
     const std::size_t used = static_cast<std::size_t>(batch_.vertex_count) * floats_;
-    if (used + floats_ > batch_.vertices.size())
-        batch_.vertices.resize(std::max<std::size_t>(1024, batch_.vertices.size() * 2) + floats_);
+    if (used + floats_ + BLOCK > batch_.vertices.size())
+        batch_.vertices.resize(std::max<std::size_t>(1024, batch_.vertices.size() * 2) + floats_ + BLOCK);
     next_ = batch_.vertices.data() + used;
-    room_ = static_cast<std::uint32_t>((batch_.vertices.size() - used) / floats_);
+    room_ = static_cast<std::uint32_t>((batch_.vertices.size() - BLOCK - used) / floats_);
 }
 
 /// Makes the next vertex possible; false: there is none, being outside of a primitive.
@@ -97,22 +146,31 @@ bool VertexAssembler::prepare_vertex(int components, glm::vec4 position)
     }
     if (batch_.format.components[0] < components)
         widen(Attribute::position, components, position);
-    make_room();
+    if (room_ == 0)
+        make_room();
     return true;
 }
 
-/// Sets an attribute that the format has no room for: it widens the format, or is one for all vertices.
-void VertexAssembler::set_other(Attribute attribute, int components, glm::vec4 value)
+/// Sets an attribute for the first time in a primitive, or outside of one, or with other components. One that
+/// the format has no room for widens the format, or is the same for all vertices.
+void VertexAssembler::set(Attribute attribute, int components, glm::vec4 value)
 {
     const int i = index_of(attribute);
-    if (has_vertices() && (wanted_ & (1u << i)) && !fits(i, components, value))
+    store_current(i);
+    in_template_[i] = 0;
+    const bool wanted = wanted_ & (1u << i);
+    if (has_vertices() && wanted && !fits(i, components, value))
         widen(attribute, components, value);
     batch_.attributes_set |= 1u << i;
     (inside_ ? batch_.attributes_varying : set_between_) |= 1u << i;
     (*current_)[i] = value;
-    float* slot = template_.data() + offsets_[i];
-    for (int c = 0; c < batch_.format.components[i]; ++c)
-        slot[c] = value[c];
+    const int present = batch_.format.components[i];
+    if (!wanted)
+        offsets_[i] = UNWANTED + 4 * i;
+    for (int c = 0; c < (wanted ? present : 4); ++c)
+        template_[offsets_[i] + c] = value[c];
+    if (inside_ && (!wanted || components <= present))
+        in_template_[i] = components;
 }
 
 void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value)
@@ -120,7 +178,7 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
     const int i = index_of(attribute);
     const VertexFormat old = batch_.format;
     const bool is_new = !old.has(attribute);
-    const glm::vec4 before = (*current_)[i];
+    const glm::vec4 before = (*current_)[i]; // Up to date: set() comes before, and a position is none.
 
     int wanted = components;
     if (attribute == Attribute::normal)
@@ -150,7 +208,7 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
 
     std::array<float, MAXIMUM_VERTEX_FLOATS> widened{};
     convert(template_.data(), widened.data());
-    template_ = widened;
+    std::copy_n(widened.begin(), floats_, template_.begin());
     // In place, from the last vertex to the first: each moves behind where it was.
     if (batch_.vertices.size() < static_cast<std::size_t>(batch_.vertex_count) * floats_)
         batch_.vertices.resize(static_cast<std::size_t>(batch_.vertex_count + 1) * floats_ * 2);
@@ -159,7 +217,8 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
         std::copy_n(widened.data(), floats_, batch_.vertices.data() + v * floats_);
     }
     for (int a = 0; a < ATTRIBUTE_COUNT; ++a)
-        offsets_[a] = batch_.format.offset(static_cast<Attribute>(a));
+        if (batch_.format.components[a] != 0)
+            offsets_[a] = batch_.format.offset(static_cast<Attribute>(a));
     room_ = 0; // Vertices lie elsewhere now.
 }
 

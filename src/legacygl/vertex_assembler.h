@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,7 @@ struct VertexBatch
 ///
 /// Follows Mesa's model: a template vertex holds the current attributes, and glVertex appends a copy. An
 /// attribute that first differs in the middle of a batch widens the format and fills in what came before.
+/// Inside of a primitive only the template is kept up to date; the current values follow at its end.
 /// One object serves immediate mode, where the values before are known, and one each list being
 /// compiled, where they are those of the moment the list is called.
 class VertexAssembler
@@ -80,8 +82,9 @@ public:
     /// once they were set in the list.
     VertexAssembler(CurrentAttributes& current, Use use) : current_(&current), use_(use) {}
 
-    /// Limits the format to the attributes in mask (bits of Attribute); others only become current.
-    void set_wanted(std::uint32_t mask) { wanted_ = mask; }
+    /// Limits the format to the attributes in mask (bits of Attribute); others only become current. Only
+    /// while there are no vertices.
+    void set_wanted(std::uint32_t mask);
     void begin(GLenum mode);
     void end();
     /// Whether the attribute was set outside of glBegin and glEnd since the batch got its first vertices.
@@ -95,7 +98,14 @@ public:
     void set_indexed() { indexed_ = true; }
     /// Goes on with a primitive that a previous batch began.
     void resume(GLenum mode);
-    const CurrentAttributes& current() const { return *current_; }
+    /// Returns the current values, up to date.
+    const CurrentAttributes& current()
+    {
+        store_current();
+        return *current_;
+    }
+    /// Brings the current values up to date, which lag behind inside of a primitive.
+    void store_current();
     bool inside() const { return inside_; }
     GLenum mode() const { return mode_; }
 
@@ -103,31 +113,27 @@ public:
     void attribute(Attribute attribute, int components, glm::vec4 value)
     {
         const int i = index_of(attribute);
-        const int present = batch_.format.components[i];
-        if (present < components) [[unlikely]]
-            return set_other(attribute, components, value);
-        (inside_ ? batch_.attributes_varying : set_between_) |= 1u << i;
-        (*current_)[i] = value;
+        if (in_template_[i] != components) [[unlikely]]
+            return set(attribute, components, value);
         float* slot = template_.data() + offsets_[i];
         for (int c = 0; c < components; ++c)
-            slot[c] = value[c];
-        for (int c = components; c < present; ++c)
             slot[c] = value[c];
     }
 
     void vertex(int components, glm::vec4 position)
     {
-        if (room_ == 0 || batch_.format.components[0] < components) [[unlikely]]
+        if (room_ == 0 || batch_.format.components[0] != components) [[unlikely]]
             if (!prepare_vertex(components, position))
                 return;
-        const int present = batch_.format.components[0];
         float* out = next_;
         for (int c = 0; c < components; ++c)
             out[c] = position[c];
-        for (int c = components; c < present; ++c)
-            out[c] = position[c];
-        for (int c = present; c < floats_; ++c)
-            out[c] = template_[c];
+        int present = components;
+        for (; present < batch_.format.components[0]; ++present)
+            out[present] = position[present];
+        // In whole blocks, over the vertex's end: the next vertex overwrites that.
+        for (int c = present; c < floats_; c += BLOCK)
+            std::memcpy(out + c, template_.data() + c, BLOCK * sizeof(float));
         next_ += floats_;
         --room_;
         ++batch_.vertex_count;
@@ -150,6 +156,11 @@ public:
     void clear();
 
 private:
+    /// What is copied at once.
+    static constexpr int BLOCK = 4;
+    /// Where the template keeps attributes that are given but not wanted, one after the other.
+    static constexpr int UNWANTED = MAXIMUM_VERTEX_FLOATS + BLOCK;
+
     bool known(int i) const { return use_ == Use::immediate || (batch_.attributes_set & (1u << i)); }
     /// Whether the format can hold the value: an attribute outside the format is one constant for all.
     bool fits(int i, int components, const glm::vec4& value) const
@@ -157,17 +168,23 @@ private:
         const int present = batch_.format.components[i];
         return present ? components <= present : known(i) && (*current_)[i] == value;
     }
-    void set_other(Attribute attribute, int components, glm::vec4 value);
+    void set(Attribute attribute, int components, glm::vec4 value);
     bool prepare_vertex(int components, glm::vec4 position);
     void widen(Attribute attribute, int components, glm::vec4 value);
     void close_primitive(bool ends);
     void make_room();
+    void store_current(int i);
+    void load_template();
+    void lay_out();
 
     CurrentAttributes* current_;
     Use use_;
     VertexBatch batch_;
-    std::array<float, MAXIMUM_VERTEX_FLOATS> template_{};
-    std::array<int, ATTRIBUTE_COUNT> offsets_{};
+    std::array<float, UNWANTED + 4 * ATTRIBUTE_COUNT> template_{};
+    std::array<int, ATTRIBUTE_COUNT> offsets_{}; ///< In the template.
+    /// Of an attribute that was set in this primitive: with how many components, when giving as many again
+    /// only changes the template. Its current value is there.
+    std::array<int, ATTRIBUTE_COUNT> in_template_{};
     int floats_ = 0;
     float* next_ = nullptr;  ///< Where the next vertex goes, if there is room.
     std::uint32_t room_ = 0; ///< How many vertices fit there; 0 outside of a primitive.

@@ -24,7 +24,7 @@ struct ListGeometry
     std::uint32_t constants = 0;
     GeometryObject object; ///< The backend's copy, made at the first draw.
     std::vector<DrawRun> runs;
-    VertexBatch batch;
+    VertexBatch batch; ///< Behind what else a call reads, and with what it reads first.
     std::vector<std::uint32_t> indices;
 };
 

@@ -56,6 +56,11 @@ public:
     glm::vec4 transform(glm::vec4 point) const;
 
 private:
+    struct Unset
+    {};
+    /// Leaves the members to the caller.
+    explicit Matrix(Unset) {}
+
     enum class Kind : std::uint8_t
     {
         identity,

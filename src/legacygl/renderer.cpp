@@ -87,6 +87,7 @@ const ShaderKey& Renderer::use(const ShaderKey& key)
 {
     if (!key_ || !(key == *key_)) {
         key_ = key;
+        layout_ = TransformLayout(key);
         changed_ |= everything; // The uniform arrays are laid out anew.
         draw_state_.program = 0;
     }
@@ -158,8 +159,8 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
     if (draw_state_.program == 0)
         draw_state_.program = program(key);
     if (changed_ & (matrices | lighting))
-        refill(UniformGroup::transform, TransformLayout(key).size,
-               [&](std::span<glm::vec4> out) { fill_transform(state, key, out); });
+        refill(UniformGroup::transform, layout_.size,
+               [&](std::span<glm::vec4> out) { fill_transform(state, key, layout_, out); });
     if (key.lighting && (changed_ & lighting))
         refill(UniformGroup::lighting, lighting_layout::size(key.light_count),
                [&](std::span<glm::vec4> out) { fill_lighting(state.lighting, key, out); });
@@ -218,20 +219,15 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
 {
     if (const std::optional<RasterWork> work = raster_work(state, geometry.batch))
         return draw_shaded(state, geometry.batch, *work);
-    if (geometry.batch.used_vertices().size() <= backend_.streamed_floats)
-        return for_each_program(
-            state, geometry.batch, geometry.runs,
-            [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
-                backend_.draw_stream(draw_state, geometry.batch.format, geometry.batch.used_vertices(),
-                                     geometry.indices, runs);
-            });
     if (!geometry.object.valid())
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
                                                      geometry.indices));
     for_each_program(state, geometry.batch, geometry.runs,
                      [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
-                         backend_.draw(draw_state, geometry.object.id(), runs);
+                         if (!backend_.draw(draw_state, geometry.object.id(), runs))
+                             backend_.draw_stream(draw_state, geometry.batch.format,
+                                                  geometry.batch.used_vertices(), geometry.indices, runs);
                      });
 }
 
@@ -245,18 +241,16 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
     const bool all =
         state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
         (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);
-    const auto needs_work = [&](const Primitive& primitive) {
-        switch (class_of(primitive.mode)) {
-        case PrimitiveClass::points:
-            return all || work.smooth_points || raster.point_parameters.attenuates();
-        case PrimitiveClass::lines:
-            return all || work.smooth_lines || work.line_quads || raster.line_stipple.stipples();
-        default:
-            return all || work.unfilled;
-        }
-    };
-    return std::any_of(batch.primitives.begin(), batch.primitives.end(), needs_work) ? std::optional(work)
-                                                                                     : std::nullopt;
+    constexpr std::uint32_t POINTS = 1u << GL_POINTS,
+                            LINES = 1u << GL_LINES | 1u << GL_LINE_STRIP | 1u << GL_LINE_LOOP;
+    std::uint32_t needed = all ? ~0u : 0;
+    if (work.smooth_points || raster.point_parameters.attenuates())
+        needed |= POINTS;
+    if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples())
+        needed |= LINES;
+    if (work.unfilled)
+        needed |= ~(POINTS | LINES);
+    return batch.modes & needed ? std::optional(work) : std::nullopt;
 }
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work)

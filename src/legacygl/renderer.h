@@ -66,8 +66,9 @@ private:
 
     Backend& backend_;
     std::uint32_t changed_ = everything;
-    std::optional<ShaderKey> key_; ///< Of the last draw, while nothing changed.
-    bool keeps_length_ = false;    ///< What the modelview gave to the key.
+    std::optional<ShaderKey> key_;        ///< Of the last draw, while nothing changed.
+    TransformLayout layout_{ShaderKey{}}; ///< Of key_.
+    bool keeps_length_ = false;           ///< What the modelview gave to the key.
     std::unordered_map<ShaderKey, ProgramId, ShaderKeyHash> programs_;
     std::array<Group, UNIFORM_GROUP_COUNT> groups_;
     DrawState draw_state_;

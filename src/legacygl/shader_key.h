@@ -3,6 +3,7 @@
 #include "legacygl/state/state.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -152,8 +153,9 @@ struct TransformLayout
     int normal_scale = -1;        ///< x
     int object_lights = -1;       ///< direction and half vector for each light, in object coordinates
     int point = -1;               ///< viewport x, y, width, height; then x: size
-    int size = 4; ///< Of one slot.
-    int slots() const { return CAPACITY / size; }
+    int size = 4;                 ///< Of one slot.
+    /// A power of two, so that a vertex's number of its slot is quickly cut to it.
+    int slots() const { return static_cast<int>(std::bit_floor(static_cast<unsigned>(CAPACITY / size))); }
 };
 
 /// Where things lie in the uniform array `lighting`, in vec4s.

@@ -167,7 +167,8 @@ std::string normal_text(const ShaderKey& key)
     std::string text = "    vec3 n = normal;\n";
     if (key.eye_space)
         text += "    n = vec3(dot(n, " + of_transform(layout.normal) + ".xyz), dot(n, " +
-                of_transform(layout.normal + 1) + ".xyz), dot(n, " + of_transform(layout.normal + 2) + ".xyz));\n";
+                of_transform(layout.normal + 1) + ".xyz), dot(n, " + of_transform(layout.normal + 2) +
+                ".xyz));\n";
     if (key.normalize)
         text += "    n = n * inversesqrt(dot(n, n));\n";
     else if (key.needs_normal_scale())

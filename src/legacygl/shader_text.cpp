@@ -115,7 +115,8 @@ std::string vertex_text(const ShaderKey& key)
         text += uniforms("texturing", texturing_layout::SIZE);
     text += varyings(key, "out");
     text += "void main()\n{\n";
-    text += "    int slot = int(transform_slot) * " + std::to_string(layout.size) + ";\n";
+    text += "    int slot = (int(transform_slot) & " + std::to_string(layout.slots() - 1) + ") * " +
+            std::to_string(layout.size) + ";\n";
     text += "    gl_Position = " +
             (key.shaded ? "position" : transform_columns_times(layout.projection_modelview, "position")) +
             ";\n";

@@ -157,7 +157,10 @@ std::string texture_coordinate_text(const ShaderKey& key, int unit)
     }
     const std::string out = "texture_position_" + number;
     text += "    " + out + " = " +
-            (texture.matrix ? columns_times([&](int i) { return at("texturing", unit * UNIT_SIZE + MATRIX + i); }, c) : c) + ";\n";
+            (texture.matrix
+                 ? columns_times([&](int i) { return at("texturing", unit * UNIT_SIZE + MATRIX + i); }, c)
+                 : c) +
+            ";\n";
     // A 1D texture is one texel high: t must neither matter nor count for the level of detail.
     return texture.one_dimensional ? text + "    " + out + ".y = 0.0;\n" : text;
 }

@@ -70,9 +70,9 @@ float rasterised_point_size(float size)
     return std::max(1.0f, std::floor((steps + 127.0f) / 256.0f));
 }
 
-void fill_transform(const State& state, const ShaderKey& key, std::span<glm::vec4> out)
+void fill_transform(const State& state, const ShaderKey& key, const TransformLayout& layout,
+                    std::span<glm::vec4> out)
 {
-    const TransformLayout layout(key);
     const Matrix& modelview = state.transform.modelview.top();
     const Matrix both = Matrix::product(state.transform.projection.top(), modelview);
     for (int i = 0; i < 4; ++i)

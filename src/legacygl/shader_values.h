@@ -11,8 +11,9 @@ namespace legacygl {
 /// Returns the whole number of pixels that an aliased point of the size covers in both directions.
 float rasterised_point_size(float size);
 
-/// Fills the uniform array `transform`; out has TransformLayout(key).size elements.
-void fill_transform(const State& state, const ShaderKey& key, std::span<glm::vec4> out);
+/// Fills a slot of the uniform array `transform`. layout: the key's; out has layout.size elements.
+void fill_transform(const State& state, const ShaderKey& key, const TransformLayout& layout,
+                    std::span<glm::vec4> out);
 
 /// Fills the uniform array `lighting`; out has lighting_layout::size(key.light_count) elements.
 void fill_lighting(const LightingState& lighting, const ShaderKey& key, std::span<glm::vec4> out);

@@ -59,6 +59,8 @@ void VertexAssembler::end()
 
 void VertexAssembler::close_primitive(bool ends)
 {
+    if (mode_ <= GL_POLYGON)
+        batch_.modes |= 1u << mode_;
     batch_.primitives.push_back({mode_, first_, batch_.vertex_count - first_, began_here_, ends, indexed_});
 }
 
@@ -88,7 +90,7 @@ void VertexAssembler::clear()
     batch_.primitives.clear();
     batch_.unset_before = {};
     batch_.material_changes.clear();
-    batch_.attributes_set = batch_.attributes_varying = 0;
+    batch_.attributes_set = batch_.attributes_varying = batch_.modes = 0;
     batch_.vertex_count = 0;
     first_ = 0;
     began_here_ = false;

@@ -32,24 +32,24 @@ struct MaterialChange
     std::array<float, 4> values;
 };
 
-/// Vertices of one format and the primitives made of them.
+/// Vertices of one format and the primitives made of them. What calling a list reads comes first.
 struct VertexBatch
 {
     VertexFormat format;
-    std::vector<float> vertices; ///< vertex_count × format.floats(), perhaps with room behind.
-    std::uint32_t vertex_count = 0;
-    std::vector<Primitive> primitives;
-    /// The first so many vertices came before the attribute was first set: what they hold is a filler.
-    std::array<std::uint32_t, ATTRIBUTE_COUNT> unset_before{};
-    /// Which attributes were set at all, as bits of Attribute, and the values they were left with.
+    /// Which attributes were set at all, as bits of Attribute; `last` has the values they were left with.
     std::uint32_t attributes_set = 0;
-    CurrentAttributes last{};
     /// Which attributes a primitive's vertices may have got one by one. An attribute that is not among them
     /// is the same for all vertices of a primitive.
     std::uint32_t attributes_varying = 0;
-
+    std::uint32_t modes = 0; ///< Of the primitives, as bits: 1 << GL_TRIANGLES …
+    std::uint32_t vertex_count = 0;
+    std::vector<float> vertices; ///< vertex_count × format.floats(), perhaps with room behind.
+    std::vector<Primitive> primitives;
     /// Changes of the material, in order, and the materials before the first of them.
     std::vector<MaterialChange> material_changes;
+    CurrentAttributes last{};
+    /// The first so many vertices came before the attribute was first set: what they hold is a filler.
+    std::array<std::uint32_t, ATTRIBUTE_COUNT> unset_before{};
     std::array<Material, 2> materials_before;
 
     bool varies(Attribute attribute) const { return attributes_varying & (1u << index_of(attribute)); }

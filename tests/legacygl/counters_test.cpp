@@ -53,9 +53,10 @@ public:
     void texture_image(legacygl::TextureId, int, int, int, std::span<const std::uint8_t>) override {}
     void generate_mipmap(legacygl::TextureId) override {}
     void sampling(legacygl::TextureId, const legacygl::Sampling&) override {}
-    void draw(const legacygl::DrawState&, legacygl::GeometryId, std::span<const legacygl::DrawRun>) override
+    bool draw(const legacygl::DrawState&, legacygl::GeometryId, std::span<const legacygl::DrawRun>) override
     {
         ++draws;
+        return true;
     }
     void draw_stream(const legacygl::DrawState&, const legacygl::VertexFormat&, std::span<const float>,
                      std::span<const std::uint32_t>, std::span<const legacygl::DrawRun>) override

@@ -34,8 +34,8 @@ constexpr int UNIFORM_GROUP_COUNT = static_cast<int>(UniformGroup::count);
 constexpr std::array<const char*, UNIFORM_GROUP_COUNT> UNIFORM_GROUP_NAMES = {"transform", "lighting",
                                                                               "texturing", "fragments"};
 
-/// The location of the attribute that says which slot of the uniform array `transform` a vertex uses. Where no
-/// array gives it, it is 0.
+/// The location of the attribute that says which slot of the uniform array `transform` a vertex uses. Where
+/// no array gives it, it is 0.
 constexpr int TRANSFORM_SLOT_LOCATION = ATTRIBUTE_COUNT;
 
 /// Samplers of a program: of the texture units, then of the copy of the target that a logic op reads.
@@ -138,7 +138,9 @@ public:
     virtual void generate_mipmap(TextureId id) = 0;
     virtual void sampling(TextureId id, const Sampling& sampling) = 0;
 
-    virtual void draw(const DrawState& state, GeometryId geometry, std::span<const DrawRun> runs) = 0;
+    /// Draws a geometry. Returns false, and draws nothing, where it is better drawn as a stream now, because
+    /// it is small and just was drawn with another transform.
+    virtual bool draw(const DrawState& state, GeometryId geometry, std::span<const DrawRun> runs) = 0;
     /// Draws vertices that are used once.
     virtual void draw_stream(const DrawState& state, const VertexFormat& format,
                              std::span<const float> vertices, std::span<const std::uint32_t> indices,
@@ -161,8 +163,6 @@ public:
     LegacyGLCounters counters{};
     /// The widest line that can be drawn; wider ones must come as triangles.
     float maximum_line_width = 1;
-    /// Up to so many floats of vertices are better drawn as a stream each time than kept as a geometry.
-    std::size_t streamed_floats = 0;
     /// Counts the ES contexts lost so far; an object made in another generation is gone.
     std::uint32_t generation = 0;
 };

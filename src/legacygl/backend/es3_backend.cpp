@@ -1,5 +1,6 @@
 #include "legacygl/backend/es3_backend.h"
 
+#include "legacygl/backend/es3_batch.h"
 #include "legacygl/backend/es3_fixed_state.h"
 #include "legacygl/backend/es3_functions.h"
 #include "legacygl/backend/es3_geometry.h"
@@ -24,8 +25,8 @@ struct Program
     std::array<std::uint64_t, UNIFORM_GROUP_COUNT> revisions{}; ///< Of the values it holds; in slot 0.
 };
 
-/// A few hundred vertices: copied faster than drawn by themselves.
-constexpr std::size_t SMALL_FLOATS = 2048;
+constexpr std::uint64_t NEVER = ~std::uint64_t{0}; ///< No revision.
+constexpr std::uint32_t STREAM = 0;                ///< No page.
 constexpr int TRANSFORM = static_cast<int>(UniformGroup::transform);
 
 /// Index 0 stays empty, so that 0 can mean none.
@@ -42,7 +43,6 @@ public:
         : gl_(functions), target_(gl_, target, width, height)
     {
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum_texture_size);
-        streamed_floats = SMALL_FLOATS;
         restore_state();
     }
 
@@ -56,7 +56,7 @@ public:
 
     ProgramId create_program(const ProgramText& text) override
     {
-        draw_gathered();
+        draw_waiting();
         Program program;
         program.transform_slots = text.transform_slots;
         program.attributes_read = text.attributes_read;
@@ -82,7 +82,11 @@ public:
         return geometries_.create(format, vertices, indices);
     }
 
-    void destroy_geometry(GeometryId id) override { geometries_.destroy(id); }
+    void destroy_geometry(GeometryId id) override
+    {
+        draw_waiting();
+        geometries_.destroy(id);
+    }
 
     TextureId create_texture() override
     {
@@ -93,7 +97,7 @@ public:
 
     void destroy_texture(TextureId id) override
     {
-        draw_gathered();
+        draw_waiting();
         gl_.DeleteTextures(1, &id);
         for (TextureId& bound : bound_textures_)
             if (bound == id)
@@ -103,7 +107,7 @@ public:
     void texture_image(TextureId id, int level, int width, int height,
                        std::span<const std::uint8_t> rgba) override
     {
-        draw_gathered();
+        draw_waiting();
         bind_texture(id);
         gl_.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                        rgba.data());
@@ -113,14 +117,14 @@ public:
 
     void generate_mipmap(TextureId id) override
     {
-        draw_gathered();
+        draw_waiting();
         bind_texture(id);
         gl_.GenerateMipmap(GL_TEXTURE_2D);
     }
 
     void sampling(TextureId id, const Sampling& sampling) override
     {
-        draw_gathered();
+        draw_waiting();
         bind_texture(id);
         const auto set = [this](GLenum name, GLenum value) {
             gl_.TexParameteri(GL_TEXTURE_2D, name, static_cast<GLint>(value));
@@ -139,33 +143,45 @@ public:
         gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, sampling.max_lod);
     }
 
-    void draw(const DrawState& state, GeometryId id, std::span<const DrawRun> runs) override
+    bool draw(const DrawState& state, GeometryId id, std::span<const DrawRun> runs) override
     {
-        draw_gathered();
-        if (!apply(state, geometries_.format(id)))
-            return;
-        upload(programs_[state.program], TRANSFORM, state.uniforms[TRANSFORM]);
-        geometries_.draw(id, runs);
+        Es3Geometries::Place& place = geometries_.place(id);
+        const VertexFormat& format = geometries_.format(id);
+        const UniformValues& transform = state.uniforms[TRANSFORM];
+        const bool goes_on = only_transform_changes(state, format);
+        const bool waits_in_stream = goes_on && waiting_page_ == STREAM;
+        const bool waits_itself = goes_on && waiting_page_ == place.page && place.batch == batch_number_;
+        if (!(goes_on && waiting_page_ == place.page && batch_.put(transform, place.slot))) {
+            if (place.small && (waits_in_stream || waits_itself))
+                return false;
+            if (!begin(state, format, place.page))
+                return true;
+            batch_.put(transform, place.slot);
+        }
+        place.batch = batch_number_;
+        batch_.add(runs, place.first_vertex, place.first_index);
+        return true;
     }
 
     void draw_stream(const DrawState& state, const VertexFormat& format, std::span<const float> vertices,
                      std::span<const std::uint32_t> indices, std::span<const DrawRun> runs) override
     {
-        const auto add = [&] { return gathered_.add(state.uniforms[TRANSFORM], vertices, indices, runs); };
-        if (!gathered_.empty() && only_transform_changes(state, format) && add())
-            return;
-        draw_gathered();
-        if (!apply(state, format))
-            return;
-        gathered_program_ = state.program;
-        gathered_revision_ = state.revision;
-        gathered_.begin(format, programs_[state.program].transform_slots);
-        add();
+        const UniformValues& transform = state.uniforms[TRANSFORM];
+        const bool goes_on =
+            waiting_page_ == STREAM && !stream_.full() && only_transform_changes(state, format);
+        if (!(goes_on && batch_.put(transform))) {
+            if (!begin(state, format, STREAM))
+                return;
+            stream_.begin(format);
+            batch_.put(transform);
+        }
+        batch_.add(runs, stream_.first_vertex(), stream_.first_index());
+        stream_.add(vertices, indices, batch_.slot());
     }
 
     void clear(const Pipeline& pipeline, const Clear& clear) override
     {
-        draw_gathered();
+        draw_waiting();
         fixed_.apply(pipeline);
         gl_.ClearColor(clear.color.r, clear.color.g, clear.color.b, clear.color.a);
         gl_.ClearDepthf(clear.depth);
@@ -175,34 +191,34 @@ public:
 
     void read_pixels(bool front, int x, int y, int width, int height, std::span<std::uint8_t> rgba) override
     {
-        draw_gathered();
+        draw_waiting();
         target_.read_from(front);
         gl_.ReadPixels(x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     }
 
     void flush(bool wait) override
     {
-        draw_gathered();
+        draw_waiting();
         wait ? gl_.Finish() : gl_.Flush();
     }
 
     void resize(int width, int height) override
     {
-        draw_gathered();
+        draw_waiting();
         target_.resize(width, height);
         forget_state();
     }
 
     void present() override
     {
-        draw_gathered();
+        draw_waiting();
         target_.present();
         forget_state();
     }
 
     void show_front() override
     {
-        draw_gathered();
+        draw_waiting();
         target_.show_front();
         forget_state();
     }
@@ -212,7 +228,7 @@ public:
         ++generation;
         programs_.resize(1);
         geometries_.forget();
-        gathered_.clear();
+        batch_.begin(1);
         target_.forget();
         lost_ = true;
     }
@@ -245,11 +261,27 @@ private:
         constants_ = {};
     }
 
-    /// Whether the draw differs from those gathered in its vertices and its transform alone.
+    /// Whether the draw differs from those that wait in its vertices and its transform alone.
     bool only_transform_changes(const DrawState& state, const VertexFormat& format) const
     {
-        return state.revision == gathered_revision_ && state.program == gathered_program_ &&
-               format == gathered_.format() && has_constants(state, format);
+        return !batch_.empty() && state.revision == waiting_revision_ && state.program == waiting_program_ &&
+               format == waiting_format_ && has_constants(state, format);
+    }
+
+    /// Draws what waits and makes ready for draws of a page, or of the stream. Returns false when nothing can
+    /// be drawn.
+    bool begin(const DrawState& state, const VertexFormat& format, std::uint32_t page)
+    {
+        draw_waiting();
+        if (!apply(state, format))
+            return false;
+        waiting_page_ = page;
+        waiting_format_ = format;
+        waiting_program_ = state.program;
+        waiting_revision_ = state.revision;
+        batch_.begin(programs_[state.program].transform_slots);
+        ++batch_number_;
+        return true;
     }
 
     /// Calls what with each attribute that the program reads and the vertices lack.
@@ -261,20 +293,26 @@ private:
                 what(i);
     }
 
-    /// Draws what waits for its upload; everything that looks at the picture or changes what is used does so
-    /// first.
-    void draw_gathered()
+    /// Draws what waits; everything that looks at the picture or changes what is used does so first.
+    void draw_waiting()
     {
-        if (gathered_.empty())
+        if (batch_.empty())
             return;
-        geometries_.bind_stream(gathered_.format(), gathered_.vertices(), gathered_.slot_of_vertices(),
-                                gathered_.indices());
-        Program& program = programs_[gathered_program_];
-        if (gathered_.uses_slots())
-            program.revisions[TRANSFORM] = 0; // Slot 0 alone is not all of it.
-        upload(program, TRANSFORM, {gathered_.transforms(), gathered_.first_revision()});
-        geometries_.draw_runs(gathered_.runs());
-        gathered_.clear();
+        if (waiting_page_ == STREAM)
+            geometries_.bind_stream(waiting_format_, stream_.vertices(), stream_.slots(), stream_.indices());
+        else
+            geometries_.bind_page(waiting_page_);
+        upload_transforms(programs_[waiting_program_]);
+        geometries_.draw_runs(batch_.runs());
+        batch_.begin(1);
+    }
+
+    void upload_transforms(Program& program)
+    {
+        const UniformValues transforms = batch_.transforms();
+        if (transforms.revision == 0)
+            program.revisions[TRANSFORM] = NEVER; // What it gets is more than slot 0.
+        upload(program, TRANSFORM, transforms);
     }
 
     /// Uploads a group's values unless the program, which is in use, has them.
@@ -343,9 +381,13 @@ private:
     Es3Target target_;
     Es3FixedState fixed_{gl_, target_};
     Es3Geometries geometries_{gl_, counters};
-    Es3Stream gathered_;
-    ProgramId gathered_program_ = 0;
-    std::uint64_t gathered_revision_ = 0;
+    Es3Batch batch_; ///< What waits to be drawn: of a page of geometries_, or of stream_.
+    Es3Stream stream_;
+    std::uint32_t waiting_page_ = STREAM;
+    VertexFormat waiting_format_;
+    ProgramId waiting_program_ = 0;
+    std::uint64_t waiting_revision_ = 0;
+    std::uint64_t batch_number_ = 0;
     std::vector<Program> programs_{1};
 
     bool lost_ = false;

@@ -5,6 +5,9 @@
 namespace legacygl {
 namespace {
 
+/// What a shared page holds: of the smallest geometries' vertices hundreds.
+constexpr std::size_t PAGE_FLOATS = 1 << 15, PAGE_INDICES = 1 << 14, SMALL_INDICES = 1 << 10;
+
 GLenum draw_mode(PrimitiveClass primitive)
 {
     switch (primitive) {
@@ -22,30 +25,67 @@ GLenum draw_mode(PrimitiveClass primitive)
 GeometryId Es3Geometries::create(const VertexFormat& format, std::span<const float> vertices,
                                  std::span<const std::uint32_t> indices)
 {
-    Es3VertexArray array = make_array(format, false);
-    upload(GL_ARRAY_BUFFER, array.vertices, vertices.size_bytes(), vertices.data(), GL_STATIC_DRAW);
-    if (!indices.empty())
-        upload(GL_ELEMENT_ARRAY_BUFFER, array.indices, indices.size_bytes(), indices.data(), GL_STATIC_DRAW);
+    Place place;
+    place.page = page_for(format, vertices.size(), indices.size());
+    Page& page = pages_[place.page];
+    place.first_vertex = page.used_vertices;
+    place.first_index = page.used_indices;
+    place.slot = page.made++;
+    place.small = page.shared;
+    ++page.geometries;
+    bind(page.array.name);
+    page.shared ? append(page, vertices, indices) : fill_own(page, vertices, indices);
     if (free_.empty()) {
-        geometries_.push_back(array);
+        geometries_.push_back(place);
         return static_cast<GeometryId>(geometries_.size() - 1);
     }
     const GeometryId id = free_.back();
     free_.pop_back();
-    geometries_[id] = array;
+    geometries_[id] = place;
     return id;
+}
+
+void Es3Geometries::fill_own(const Page& page, std::span<const float> vertices,
+                             std::span<const std::uint32_t> indices)
+{
+    upload(GL_ARRAY_BUFFER, page.array.vertices, vertices.size_bytes(), vertices.data(), GL_STATIC_DRAW);
+    if (!indices.empty())
+        upload(GL_ELEMENT_ARRAY_BUFFER, page.array.indices, indices.size_bytes(), indices.data(),
+               GL_STATIC_DRAW);
+}
+
+/// Adds a geometry behind those that the shared page has; its vertices name the next slot.
+void Es3Geometries::append(Page& page, std::span<const float> vertices,
+                           std::span<const std::uint32_t> indices)
+{
+    const auto floats = static_cast<std::size_t>(page.array.format.floats());
+    const std::size_t count = vertices.size() / floats;
+    slots_.assign(count, static_cast<float>(page.made - 1));
+    upload_part(GL_ARRAY_BUFFER, page.array.slots, page.used_vertices * sizeof(float), count * sizeof(float),
+                slots_.data());
+    upload_part(GL_ARRAY_BUFFER, page.array.vertices, page.used_vertices * floats * sizeof(float),
+                vertices.size_bytes(), vertices.data());
+    if (!indices.empty()) {
+        if (page.used_indices == 0)
+            allocate(GL_ELEMENT_ARRAY_BUFFER, page.array.indices, PAGE_INDICES * sizeof(std::uint32_t));
+        rebased_.assign(indices.begin(), indices.end());
+        for (std::uint32_t& index : rebased_)
+            index += page.used_vertices;
+        upload_part(GL_ELEMENT_ARRAY_BUFFER, page.array.indices, page.used_indices * sizeof(std::uint32_t),
+                    indices.size_bytes(), rebased_.data());
+    }
+    page.used_vertices += static_cast<std::uint32_t>(count);
+    page.used_indices += static_cast<std::uint32_t>(indices.size());
 }
 
 void Es3Geometries::destroy(GeometryId id)
 {
-    destroy(geometries_[id]);
+    Page& page = pages_[geometries_[id].page];
+    if (--page.geometries == 0) {
+        destroy(page.array);
+        page = Page{};
+    }
     free_.push_back(id);
-}
-
-void Es3Geometries::draw(GeometryId id, std::span<const DrawRun> runs)
-{
-    bind(geometries_[id].name);
-    draw_runs(runs);
 }
 
 void Es3Geometries::bind_stream(const VertexFormat& format, std::span<const float> vertices,
@@ -62,7 +102,8 @@ void Es3Geometries::bind_stream(const VertexFormat& format, std::span<const floa
     if (with_slots)
         upload(GL_ARRAY_BUFFER, stream->slots, slots.size_bytes(), slots.data(), GL_STREAM_DRAW);
     if (!indices.empty())
-        upload(GL_ELEMENT_ARRAY_BUFFER, stream->indices, indices.size_bytes(), indices.data(), GL_STREAM_DRAW);
+        upload(GL_ELEMENT_ARRAY_BUFFER, stream->indices, indices.size_bytes(), indices.data(),
+               GL_STREAM_DRAW);
 }
 
 void Es3Geometries::draw_runs(std::span<const DrawRun> runs)
@@ -81,8 +122,8 @@ void Es3Geometries::draw_runs(std::span<const DrawRun> runs)
 
 void Es3Geometries::clear()
 {
-    for (Es3VertexArray& array : geometries_)
-        destroy(array);
+    for (Page& page : pages_)
+        destroy(page.array);
     for (Es3VertexArray& stream : streams_)
         destroy(stream);
     forget();
@@ -90,10 +131,41 @@ void Es3Geometries::clear()
 
 void Es3Geometries::forget()
 {
+    pages_.resize(1);
     geometries_.resize(1);
     free_.clear();
     streams_.clear();
     bound_ = 0;
+}
+
+/// Returns the shared page that has room for a geometry, or a page of its own for a large one.
+std::uint32_t Es3Geometries::page_for(const VertexFormat& format, std::size_t floats, std::size_t indices)
+{
+    const bool small = floats <= SMALL_FLOATS && indices <= SMALL_INDICES && floats != 0;
+    for (std::size_t i = pages_.size(); small && --i > 0;) {
+        const Page& page = pages_[i];
+        const std::size_t used = page.used_vertices * static_cast<std::size_t>(format.floats());
+        if (page.shared && page.array.format == format && used + floats <= PAGE_FLOATS &&
+            page.used_indices + indices <= PAGE_INDICES)
+            return static_cast<std::uint32_t>(i);
+    }
+    return make_page(format, small);
+}
+
+/// Makes a page in a free place.
+std::uint32_t Es3Geometries::make_page(const VertexFormat& format, bool shared)
+{
+    auto place =
+        std::find_if(pages_.begin() + 1, pages_.end(), [](const Page& page) { return page.geometries == 0; });
+    if (place == pages_.end())
+        place = pages_.insert(place, Page{});
+    place->array = make_array(format, shared);
+    place->shared = shared;
+    if (shared) {
+        allocate(GL_ARRAY_BUFFER, place->array.vertices, PAGE_FLOATS * sizeof(float));
+        allocate(GL_ARRAY_BUFFER, place->array.slots, PAGE_FLOATS / format.floats() * sizeof(float));
+    }
+    return static_cast<std::uint32_t>(place - pages_.begin());
 }
 
 Es3VertexArray Es3Geometries::make_array(const VertexFormat& format, bool with_slots)
@@ -146,12 +218,32 @@ void Es3Geometries::bind(GLuint vertex_array)
     bound_ = vertex_array;
 }
 
-/// Replaces what the buffer holds. The vertex array that indices belong to is bound.
-void Es3Geometries::upload(GLenum target, GLuint buffer, std::size_t bytes, const void* data, GLenum usage)
+/// Buffers of indices belong to the vertex array, which is bound.
+void Es3Geometries::bind_buffer(GLenum target, GLuint buffer)
 {
     if (target == GL_ARRAY_BUFFER)
         gl_.BindBuffer(target, buffer);
+}
+
+void Es3Geometries::allocate(GLenum target, GLuint buffer, std::size_t bytes)
+{
+    bind_buffer(target, buffer);
+    gl_.BufferData(target, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+}
+
+void Es3Geometries::upload(GLenum target, GLuint buffer, std::size_t bytes, const void* data, GLenum usage)
+{
+    bind_buffer(target, buffer);
     gl_.BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
+    ++counters_.uploads;
+    counters_.upload_bytes += bytes;
+}
+
+void Es3Geometries::upload_part(GLenum target, GLuint buffer, std::size_t offset, std::size_t bytes,
+                                const void* data)
+{
+    bind_buffer(target, buffer);
+    gl_.BufferSubData(target, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
     ++counters_.uploads;
     counters_.upload_bytes += bytes;
 }

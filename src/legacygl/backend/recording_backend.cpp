@@ -88,7 +88,7 @@ void RecordingBackend::generate_mipmap(TextureId)
 
 void RecordingBackend::sampling(TextureId, const Sampling&) {}
 
-void RecordingBackend::draw(const DrawState& state, GeometryId geometry, std::span<const DrawRun> runs)
+bool RecordingBackend::draw(const DrawState& state, GeometryId geometry, std::span<const DrawRun> runs)
 {
     BackendRecord& record = add_draw(BackendRecord::Kind::draw, state, runs);
     const BackendRecord& made = geometries_[geometry - 1];
@@ -96,6 +96,7 @@ void RecordingBackend::draw(const DrawState& state, GeometryId geometry, std::sp
     record.format = made.format;
     record.vertices = made.vertices;
     record.indices = made.indices;
+    return true;
 }
 
 void RecordingBackend::draw_stream(const DrawState& state, const VertexFormat& format,

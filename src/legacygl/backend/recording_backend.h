@@ -53,7 +53,7 @@ public:
                        std::span<const std::uint8_t> rgba) override;
     void generate_mipmap(TextureId id) override;
     void sampling(TextureId id, const Sampling& sampling) override;
-    void draw(const DrawState& state, GeometryId geometry, std::span<const DrawRun> runs) override;
+    bool draw(const DrawState& state, GeometryId geometry, std::span<const DrawRun> runs) override;
     void draw_stream(const DrawState& state, const VertexFormat& format, std::span<const float> vertices,
                      std::span<const std::uint32_t> indices, std::span<const DrawRun> runs) override;
     void clear(const Pipeline& pipeline, const Clear& clear) override;

@@ -68,7 +68,7 @@ VertexShading::VertexShading(const State& state, const ShaderKey& key)
       lighting_(state.lighting), transform_values_(layout_.size),
       lighting_values_(lighting_layout::size(key.light_count)), texturing_values_(texturing_layout::SIZE)
 {
-    fill_transform(state, key, transform_values_);
+    fill_transform(state, key, layout_, transform_values_);
     fill_lighting_values();
     fill_texturing(state, texturing_values_);
 }

@@ -214,7 +214,8 @@ def roof(m):
     m.begin(smooth=20)
     slab(m, [(0.62, ROOF, -2.02), (0.62, ROOF, -1.16), (1.00, ROOF, -1.16), (1.00, ROOF, -2.02)], 0.018, 0.01)
     slab(m, [(-1.00, ROOF, -2.02), (-1.00, ROOF, -1.16), (-0.62, ROOF, -1.16), (-0.62, ROOF, -2.02)], 0.018, 0.01)
-    slab(m, [(-0.40, ROOF, 0.55), (-0.40, ROOF, 0.84), (0.40, ROOF, 0.84), (0.40, ROOF, 0.55)], 0.016, 0.01)
+    m.begin(dens=1.1, smooth=20)  # the cover that closes the roof over the gun, clear of it at every elevation
+    box(m, (-0.46, 0.768, 0.50), (0.46, 0.816, 1.19), 0.012, bottom=True)
 
     def lug():
         m.begin(dens=0.8, smooth=20)

@@ -4,11 +4,12 @@ import math
 import os
 
 import numpy as np
-from mathutils import Vector
+from mathutils import Matrix, Vector
 from mathutils.bvhtree import BVHTree
 
 from export import read_obj
-from frame import CUPOLA, HALF_LENGTH, HALF_WIDTH, MG_OFFSET, TRACK_X, TURRET, WHEEL_R, WHEEL_Y, WHEEL_Z
+from frame import CUPOLA, HALF_LENGTH, HALF_WIDTH, MG_OFFSET, TRACK_X, TRUNNION, TURRET, WHEEL_R, WHEEL_Y, WHEEL_Z
+from mesh import at, turn
 
 NAMES = ('tankbody', 'tankturret', 'tankmaingun', 'tanksecondarygun', 'tankwheel')
 LIMIT_BYTES = 247000
@@ -23,9 +24,24 @@ BOUNDS = {  # (low corner, high corner, slack): what the program relies on
 GAP = 0.004  # parallel faces that look the same way keep at least this distance
 
 
-def flicker(d):
-    points = [Vector(p) for p in d['v']]
-    faces = [[c[0] - 1 for c in f] for f in d['f']]
+def places(yaw=0.0, pitch=0.0, mg=0.0):
+    """Where the parts stand in a pose: (mesh, matrix)."""
+    t = at(*TURRET) @ turn('Y', yaw)
+    out = [('tankbody', Matrix())]
+    out += [(NAMES[4], at(s * TRACK_X, WHEEL_Y, z) @ turn('Y', 90 - 90 * s)) for s in (1, -1) for z in WHEEL_Z]
+    out += [('tankturret', t), ('tankmaingun', t @ at(*TRUNNION) @ turn('X', -pitch) @ at(*[-c for c in TRUNNION]))]
+    return out + [('tanksecondarygun', t @ at(*CUPOLA) @ turn('Y', mg) @ at(*MG_OFFSET))]
+
+
+def flicker(every, pose):
+    """Faces of the assembled tank, of one part or of two, that lie so close that depth cannot tell them apart."""
+    points, faces, names = [], [], []
+    for name, matrix in places(*pose):
+        d, base = every[name], len(points)
+        points += [matrix @ Vector(p) for p in d['v']]
+        for f in d['f']:
+            faces.append([base + c[0] - 1 for c in f])
+            names.append(name)
     tree = BVHTree.FromPolygons(points, faces, all_triangles=True)
     out = []
     for i, f in enumerate(faces):
@@ -42,12 +58,32 @@ def flicker(d):
                 if hit is None:
                     break
                 if k != i and hn.dot(n) > 0.985:
-                    out.append('faces %.1f mm apart at (%.3f, %.3f, %.3f)' % ((hit - q).length * 1000, q.x, q.y, q.z))
+                    gap = (hit - q).length * 1000
+                    out.append('%s and %s %.1f mm apart at (%.3f, %.3f, %.3f)' % (names[i], names[k], gap, *q))
                     break
                 start, far = hit + n * 0.00002, far - dist - 0.00002
                 if far <= 0:
                     break
     return sorted(set(out))
+
+
+def chains(d):
+    """What is wrong with the groups that Tank Lab moves: links of a chain have the same corners in the same order."""
+    links, out = {}, []
+    for f, group in zip(d['f'], d['group']):
+        if group:
+            links.setdefault(group, []).extend(f)
+    forms = {}
+    for group, corners in links.items():
+        seen = {}
+        form = tuple((seen.setdefault(v, len(seen)), vt) for v, vt, _ in corners)
+        first = forms.setdefault(group.rsplit('_', 1)[0], (group, form))
+        if first[1] != form:
+            out.append('%s is not made like %s' % (group, first[0]))
+    return out
+
+
+POSES = ((0, 0, 0), (37, 20, 25), (90, -9, 90), (180, 0, 180))  # of turret, main gun and machine gun, degrees
 
 
 VIEWS = {'side': (2, 1), 'front': (0, 1), 'top': (0, 2)}
@@ -137,8 +173,9 @@ def check(folder, texture):
         bad.append('high set has %d triangles' % total[''])
     if total['Low'] > 700:
         bad.append('low set has %d triangles' % total['Low'])
-    for name, data in every.items():
-        bad += ['%s: %s' % (name, line) for line in flicker(data)]
+    bad += chains(every['tankbody'])
+    for pose in POSES:
+        bad += ['turret, guns at %s: %s' % (pose, line) for line in flicker(every, pose)]
     for view, (x, y) in VIEWS.items():
         a, b = silhouette(every, '', x, y), silhouette(every, 'Low', x, y)
         ratio, common = b.sum() / a.sum(), (a & b).sum() / (a | b).sum()

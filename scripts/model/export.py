@@ -36,40 +36,53 @@ def number(x, digits):
 
 
 def write_obj(mesh, normals, path, size=None):
-    v, vt, vn, lines, seen = {}, {}, {}, [], set()
+    """Each face follows what it is made of, and counts backwards to it: so like faces are like lines, and the whole
+    compresses to two thirds of what it takes with indices from the beginning."""
+    counts, index, lines, seen, group = [0, 0, 0], {}, [], set(), ''
 
-    def index(table, text):
-        return table.setdefault(text, len(table) + 1)
+    def number_of(kind, text):
+        tag = ('v', 'vt', 'vn')[kind]
+        if (tag, text) not in index:
+            counts[kind] += 1
+            index[tag, text] = counts[kind]
+            lines.append(tag + ' ' + text)
+        return index[tag, text]
 
-    for f in mesh.faces:
+    def written(corner):
+        return '/'.join('' if i is None else str(i - n - 1) for i, n in zip(corner, counts))
+
+    for f in sorted(mesh.faces, key=lambda f: f.group):  # those of no group first
+        if f.group != group:
+            group = f.group
+            lines.append('g ' + group)
         corners = []
         for i, q in enumerate(f.p):
-            a = index(v, ' '.join(number(c, 3) for c in q))
-            n = index(vn, ' '.join(number(c, 3) for c in normals[id(f)][i]))
-            if size:
-                t = index(vt, ' '.join(number(c / size, 4) for c in f.uv[i]))
-                corners.append((a, '%d/%d/%d' % (a, t, n)))
-            else:
-                corners.append((a, '%d//%d' % (a, n)))
+            v = number_of(0, ' '.join(number(c, 3) for c in q))
+            vt = number_of(1, ' '.join(number(c / size, 4) for c in f.uv[i])) if size else None
+            vn = number_of(2, ' '.join(number(c, 3) for c in normals[id(f)][i]))
+            corners.append((v, vt, vn))
         for tri in f.tris:
             ids = [corners[i][0] for i in tri]
             if len(set(ids)) < 3 or frozenset(ids) in seen:
                 continue
             seen.add(frozenset(ids))
-            lines.append('f ' + ' '.join(corners[i][1] for i in tri))
+            lines.append('f ' + ' '.join(written(corners[i]) for i in tri))
     with open(path, 'w', newline='\n') as out:
         out.write('# made by scripts/model_tank\no %s\n' % mesh.name)
-        for tag, table in (('v', v), ('vt', vt), ('vn', vn)):
-            out.writelines('%s %s\n' % (tag, text) for text in table)
         out.write('\n'.join(lines) + '\n')
 
 
 def read_obj(path):
-    data = {'v': [], 'vt': [], 'vn': [], 'f': []}
+    """Reads what write_obj writes; indices are 1-based afterwards. `group` has each face's."""
+    data, group = {'v': [], 'vt': [], 'vn': [], 'f': [], 'group': []}, ''
     for line in open(path):
         w = line.split()
         if w and w[0] in ('v', 'vt', 'vn'):
             data[w[0]].append(tuple(float(x) for x in w[1:]))
+        elif w and w[0] == 'g':
+            group = w[1]
         elif w and w[0] == 'f':
-            data['f'].append([tuple(int(x) if x else 0 for x in c.split('/')) for c in w[1:]])
+            counts = [len(data[t]) for t in ('v', 'vt', 'vn')]
+            data['f'].append([tuple(n + 1 + int(x) if x else 0 for x, n in zip(c.split('/'), counts)) for c in w[1:]])
+            data['group'].append(group)
     return data

@@ -32,5 +32,7 @@ def thin(meshes):
             k = 0.35 if best < 0.08 else 0.6 if best < 0.3 else 1.0
             if m is wheel:
                 k = max(k, 0.6) if best < 0.3 else 1.0
+            if all(f.n.y < -0.9 for f in faces):
+                k = min(k, 0.3)
             for f in faces:
                 f.dens *= k

@@ -9,6 +9,7 @@ from mesh import FRONT, SIDE, TOP, Mesh, at, turn
 from shapes import box, disc, drum, lathe, prism, rect, slab, stack, tube
 
 UP = turn('X', -90)  # a lathe's axis turned up: local z is world Y
+BOARD = (0.25, 0.062)  # half the size of the boards with the tank's number
 GLACIS = (1.1156 - 1.60) / (3.62 - 1.85)  # rise of the upper front plate per metre of z
 
 
@@ -81,7 +82,7 @@ def skirts(m):
             shape = yz((z0, 0.98), (z0 + 0.24, 0.86), (z1 - 0.30, 0.72), (z1, low + 0.04), (z1, top), (z0, top))
         else:
             shape = yz((z0, low + 0.04), (z0 + 0.04, low), (z1 - 0.04, low), (z1, low + 0.04), (z1, top), (z0, top))
-        m.begin(smooth=20)
+        m.begin(dens=1.3, smooth=20)
         prism(m, shape, 1.732, 1.78 if heavy else 1.762, SIDE, (0, 0.016))
         if heavy:  # lifting eyes
             box(m, (1.745, top - 0.08, z0 + 0.04), (1.768, top + 0.03, z0 + 0.10), 0.008)
@@ -107,11 +108,11 @@ def skirts(m):
     prism(
         m,
         yz((3.50, 1.09), (3.61, 1.085), (3.70, 0.98), (3.72, 0.84), (3.705, 0.84), (3.68, 0.97), (3.59, 1.05)),
-        1.06,
+        1.036,
         1.70,
         SIDE,
     )
-    prism(m, yz((-3.62, 1.18), (-3.685, 1.18), (-3.70, 0.80), (-3.68, 0.80)), 1.06, 1.70, SIDE)
+    prism(m, yz((-3.62, 1.18), (-3.685, 1.18), (-3.70, 0.80), (-3.68, 0.80)), 1.036, 1.70, SIDE)
 
 
 def grille(m, x0, x1, z0, z1, bars, across=True):
@@ -190,7 +191,7 @@ def engine_deck(m):
 
     def cap():  # filler cap
         m.begin(dens=0.8)
-        drum(m, 0.10, -0.01, 0.045, 8, at(1.30, DECK, -0.92) @ turn('X', -90), 0.015, cap0=False)
+        drum(m, 0.10, -0.01, 0.045, 7, at(1.30, DECK, -0.92) @ turn('X', -90), 0.015, cap0=False)
 
     m.both(cap)
 
@@ -209,7 +210,7 @@ def rear(m):
         shape = yz((-3.50, 0.78), (-3.66, 0.80), (-3.72, 0.86), (-3.72, 0.94), (-3.66, 0.99), (-3.54, 1.00))
         prism(m, shape, 0.62, 0.69, SIDE)
         prism(m, shape, 0.79, 0.86, SIDE)
-        drum(m, 0.022, 0.68, 0.80, 5, at(0, 0.90, -3.67) @ turn('Y', 90), cap0=False, cap1=False)
+        drum(m, 0.022, 0.68, 0.80, 4, at(0, 0.90, -3.67) @ turn('Y', 90), cap0=False, cap1=False)
 
     def exhaust():
         f = at(0.62, 1.38, -3.66) @ turn('Y', 180) @ turn('X', 8)
@@ -288,7 +289,7 @@ def front(m):
         shape = yz((3.50, 0.74), (3.68, 0.80), (3.735, 0.86), (3.735, 0.92), (3.68, 0.97), (3.60, 0.96))
         prism(m, shape, 0.60, 0.67, SIDE)
         prism(m, shape, 0.75, 0.82, SIDE)
-        drum(m, 0.022, 0.66, 0.76, 5, at(0, 0.88, 3.68) @ turn('Y', 90), cap0=False, cap1=False)
+        drum(m, 0.022, 0.66, 0.76, 4, at(0, 0.88, 3.68) @ turn('Y', 90), cap0=False, cap1=False)
 
     m.both(light)
     m.both(hook)
@@ -335,6 +336,13 @@ def front(m):
     m.begin(smooth=20)
     z = 2.30
     box(m, (-0.40, -0.01, -0.03), (0.40, 0.048, 0.03), 0.01, frame=at(0.60, glacis(z), z) @ turn('X', tilt))
+
+
+def boards(m):
+    """The number on the bow and the one on the rear plate: thin boards with texels enough to be read."""
+    m.begin('board', 3.0)
+    for x, low, high in ((BOARD[0], (0.8848, 3.6549), (0.9800, 3.7343)), (-BOARD[0], (1.2396, -3.6944), (1.3622, -3.6765))):
+        m.poly([(-x, *low), (x, *low), (x, *high), (-x, *high)])
 
 
 def stowage(m):
@@ -400,7 +408,7 @@ def stowage(m):
         (0, 0.012),
         cap0=False,
     )
-    tube(m, [(-1.585, DECK + 0.022, -0.4), (-1.585, DECK + 0.022, 1.3)], 0.014, 4)
+    tube(m, [(-1.585, DECK + 0.022, -0.4), (-1.585, DECK + 0.022, 1.3)], 0.014, 3)
 
 
 def build():
@@ -414,5 +422,6 @@ def build():
     rear(m)
     front(m)
     stowage(m)
+    boards(m)
     running.build(m)
     return m

@@ -41,7 +41,7 @@ def triangulate(p):
     n = normal_of(p).normalized()
     left, out = list(range(len(p))), []
     if len(p) == 4:
-        if (p[0] - p[2]).length <= (p[1] - p[3]).length:
+        if (p[0] - p[2]).length <= (p[1] - p[3]).length + 1e-4:  # a tie falls the same way in every copy
             cut = [(0, 1, 2), (0, 2, 3)]
         else:
             cut = [(0, 1, 3), (1, 2, 3)]
@@ -77,11 +77,11 @@ def triangulate(p):
 
 
 class Face:
-    __slots__ = ('p', 'part', 'mat', 'chart', 'uv', 'dens', 'smooth', 'copy', 'n', 'tris', 'area')
+    __slots__ = ('p', 'part', 'mat', 'chart', 'uv', 'dens', 'smooth', 'copy', 'group', 'n', 'tris', 'area')
 
-    def __init__(self, p, part, mat, dens, smooth, uv=None, chart=0, copy=False):
+    def __init__(self, p, part, mat, dens, smooth, uv=None, chart=0, copy=False, group=''):
         self.p, self.part, self.mat, self.dens, self.smooth = p, part, mat, dens, smooth
-        self.uv, self.chart, self.copy = uv, chart, copy
+        self.uv, self.chart, self.copy, self.group = uv, chart, copy, group
         n = normal_of(p)
         self.area = n.length
         self.n = n.normalized()
@@ -98,7 +98,7 @@ def new_chart():
 
 class Mesh:
     def __init__(self, name):
-        self.name, self.faces = name, []
+        self.name, self.faces, self.group = name, [], ''
         self.begin()
 
     def begin(self, mat='paint', dens=1.0, smooth=50):
@@ -112,7 +112,16 @@ class Mesh:
         if len(p) < 3 or normal_of(p).length < 2e-7:
             return
         self.faces.append(
-            Face(p, self.id, self.mat, self.dens, self.smooth, [tuple(uv[i]) for i in keep] if uv else None, chart)
+            Face(
+                p,
+                self.id,
+                self.mat,
+                self.dens,
+                self.smooth,
+                [tuple(uv[i]) for i in keep] if uv else None,
+                chart,
+                group=self.group,
+            )
         )
 
     # ---- copies
@@ -138,13 +147,31 @@ class Mesh:
             if flip:
                 p.reverse()
                 uv.reverse()
-            self.faces.append(Face(p, parts[f.part], f.mat, f.dens, f.smooth, uv, chart, share))
+            group = f.group.replace('left_', 'right_') if flip else f.group
+            made = Face(p, parts[f.part], f.mat, f.dens, f.smooth, uv, chart, share, group)
+            last = len(p) - 1  # cut as its original is
+            made.tris = [(last - c, last - b, last - a) for a, b, c in f.tris] if flip else f.tris
+            self.faces.append(made)
 
     def both(self, build, share=True):
         """build() makes the left side (+X); the right side is its mirror image."""
         mark = len(self.faces)
         build()
         self.stamp(self.since(mark), MIRROR, share)
+
+    def wheel_of(self, build, count, turned, chain):
+        """build() makes one sector; the others are its copies, turned(k) from it, and shade as one with it.
+        Sector k is the group left_CHAIN_k."""
+        mark = len(self.faces)
+        build()
+        made = self.since(mark)
+        for f in made:
+            f.group = 'left_%s_00' % chain
+        for k in range(1, count):
+            first = len(self.faces)
+            self.stamp(made, turned(k))
+            for f, g in zip(self.faces[first:], made):
+                f.part, f.group = g.part, 'left_%s_%02d' % (chain, k)
 
     def many(self, build, matrices, share=True):
         """build() makes the thing at the origin; the original itself is moved to matrices[0]."""

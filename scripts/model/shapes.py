@@ -82,8 +82,9 @@ def box(m, lo, hi, bevel=0.0, cut=0.0, frame=None, bottom=False, top=True):
     prism(m, rect(lo[2], lo[0], hi[2], hi[0], cut), lo[1], hi[1], f, (0, bevel), cap0=bottom, cap1=top)
 
 
-def lathe(m, profile, n, frame=FRONT, start=0.0):
-    """Profile (r, t) about the frame's z; the outside lies to the right of the way it is walked."""
+def lathe(m, profile, n, frame=FRONT, start=0.0, made=None):
+    """Profile (r, t) about the frame's z; the outside lies to the right of the way it is walked.
+    Only the first `made` of the n segments, if given."""
     ring = [
         [
             frame @ Vector((r * math.cos(start + 2 * math.pi * i / n), r * math.sin(start + 2 * math.pi * i / n), t))
@@ -100,7 +101,7 @@ def lathe(m, profile, n, frame=FRONT, start=0.0):
             chart = 0
         elif not chart:
             chart, v0, rr = new_chart(), 0.0, max(r0, r1)
-        for i in range(n):
+        for i in range(made or n):
             j = (i + 1) % n
             uv = None
             if chart:

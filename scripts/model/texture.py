@@ -5,9 +5,9 @@ import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
-from hull import glacis
+from hull import BOARD, glacis
 from frame import CUPOLA, MG_OFFSET, TURRET, WHEEL_Y, WHEEL_Z, TRACK_X
-from running import END_Y, IDLER_Z as END_Z
+from running import END_Y, IDLER_Z as END_Z, PITCH, TEETH, link_frame
 from wheel import RIM
 
 MATS = [
@@ -28,6 +28,7 @@ MATS = [
     'wood',
     'cable',
     'brass',
+    'board',
 ]
 COLOUR = {
     'rubber': (58, 57, 56),
@@ -44,8 +45,9 @@ COLOUR = {
     'cable': (92, 90, 86),
     'brass': (176, 146, 76),
     'track': (112, 106, 98),
+    'board': (58, 58, 56),
 }
-GREEN, BROWN, BLACK = (106, 114, 82), (132, 106, 82), (78, 78, 74)
+GREEN, BROWN, BLACK = (100, 110, 76), (116, 88, 62), (64, 64, 61)
 DUST = np.array((160, 144, 116.0))
 WHITE = np.array((224, 222, 208.0))
 
@@ -196,6 +198,50 @@ def stencil(u, v, text, height):
     return mask
 
 
+def links(p, flat):
+    """The colours of the one painted link: a steel shoe, two rubber pads, end connectors with their pins."""
+    a, t, n = link_frame()
+    u = ((p[:, 2] - a.x) * t.x + (p[:, 1] - a.y) * t.y) / PITCH
+    h = (p[:, 2] - a.x) * n.x + (p[:, 1] - a.y) * n.y
+    across = np.abs(np.abs(p[:, 0]) - TRACK_X)
+    facing = flat[:, 2] * n.x + flat[:, 1] * n.y
+    col = np.broadcast_to(np.array((98, 93, 86.0)), p.shape).copy()
+    out, inner, side = facing > 0.9, facing < -0.9, np.abs(flat[:, 0]) > 0.9
+    col[np.abs(u - 0.5) > 0.43] = (46, 44, 42)
+    col[inner & (across > 0.05) & (across < 0.24)] = (138, 134, 128)  # the wheels polish their two lanes
+    shoe = out & (across < 0.25)
+    col[shoe] = (112, 106, 98)
+    col[shoe & (across > 0.03) & (np.abs(u - 0.5) < 0.27)] = (60, 59, 58)
+    col[out & (np.abs(across - 0.25) < 0.008)] = (50, 48, 46)
+    connector = out & (across > 0.258)
+    col[connector] = (132, 126, 116)
+    col[connector & (np.hypot((u - 0.5) * PITCH, across - 0.284) < 0.014)] = (60, 58, 54)
+    pin = np.hypot((np.abs(u - 0.5) - 0.27) * PITCH, h - 0.036)
+    col[side & (pin < 0.022)] = (58, 55, 52)
+    col[side & (pin < 0.015)] = (150, 144, 134)
+    return col
+
+
+def seams(p, n, on):
+    """How much of a weld or a panel's joint a point of the hull's upper side has: lines in (x, z)."""
+    lines = [
+        ((-1.62, 1.80), (1.62, 1.80)),
+        ((-1.04, 1.80), (-1.04, 3.50)),
+        ((1.04, 1.80), (1.04, 3.50)),
+        ((-1.62, -1.10), (1.62, -1.10)),
+        ((-1.62, -1.78), (1.62, -1.78)),
+        ((-1.62, -2.34), (1.62, -2.34)),
+        ((0.22, -3.60), (0.22, -2.34)),
+        ((-0.22, -3.60), (-0.22, -2.34)),
+    ]
+    best = np.full(len(p), 9.0)
+    for (ax, az), (bx, bz) in lines:
+        dx, dz = bx - ax, bz - az
+        t = np.clip(((p[:, 0] - ax) * dx + (p[:, 2] - az) * dz) / (dx * dx + dz * dz), 0, 1)
+        best = np.minimum(best, np.hypot(p[:, 0] - ax - t * dx, p[:, 2] - az - t * dz))
+    return np.where(on & (n[:, 1] > 0.8), 1 - step(0.008, 0.018, best), 0)
+
+
 def paint(layer, meshes, count, mats=MATS):
     ok = layer['mesh'] >= 0
     sel = {k: v[ok] for k, v in layer.items()}
@@ -231,8 +277,8 @@ def paint(layer, meshes, count, mats=MATS):
     col[w] = np.array(GREEN, float) * 0.98
     face = w & (np.abs(p[:, 0]) > 0.15)
     tyre = w & ((r > RIM - 0.004) | (np.abs(p[:, 0]) < 0.09))
-    col[w & (np.abs(p[:, 0]) < 0.09) & (r < 0.30)] = (70, 72, 58)
     col[tyre & (r > 0.30)] = COLOUR['rubber']
+    col[tyre & (r > 0.30) & (np.abs(p[:, 0]) < 0.055)] = (30, 30, 29)
     col[face & tyre] = COLOUR['rubber']
     if w.any():
         for k in range(10):
@@ -250,7 +296,7 @@ def paint(layer, meshes, count, mats=MATS):
             col[hub & (d < 0.014)] = (64, 66, 52)
         d = np.hypot(p[:, 1] - 0.02, p[:, 2] - 0.025)
         col[hub & (d < 0.018)] = (170, 60, 44)
-    # sprocket and idler hubs: a dark groove and a ring of bolts
+    # sprocket and idler hubs: a dark groove and a ring of bolts, one a sector
     end = (
         (mesh == 0)
         & is_('paint')
@@ -261,18 +307,13 @@ def paint(layer, meshes, count, mats=MATS):
     dy, dz = p[:, 1] - END_Y, np.abs(p[:, 2]) - END_Z
     rr = np.hypot(dy, dz)
     turned = np.arctan2(dy, dz)
-    bolt = np.hypot(rr - 0.155, (np.mod(turned / (2 * math.pi) * 10, 1) - 0.5) * 0.0974)
+    bolt = np.hypot(rr - 0.155, (np.mod(turned / (2 * math.pi) * TEETH, 1) - 0.5) * 2 * math.pi * 0.155 / TEETH)
+    col[end] = GREEN
     col[end & (np.abs(rr - 0.195) < 0.009)] = (60, 62, 50)
     col[end & (bolt < 0.026)] = (64, 66, 52)
     col[end & (bolt < 0.017)] = (150, 152, 142)
-    # track: rubber pads in the middle of the outer face, worn steel around them
     t = is_('track')
-    across = np.abs(np.abs(p[:, 0]) - TRACK_X)
-    out = t & (mesh == 0) & (p[:, 1] < 0.012) & (sel['flat'][:, 1] < -0.9)
-    col[t] = np.array((122, 116, 108.0))
-    col[out & (sel['convex'] < 0.02)] = (150, 146, 138)
-    col[out & (across > 0.03) & (across < 0.235) & (sel['convex'] > 0.02)] = (70, 68, 66)
-    col[out & (np.abs(across - 0.27) < 0.012) & (sel['convex'] > 0.03)] = (84, 80, 74)
+    col[t] = links(p[t], sel['flat'][t])
     # the skirts' lower lip is rubber; the headlamps have a rim and a ribbed lens
     lip = (mesh == 0) & is_('paint') & (np.abs(p[:, 0]) > 1.725) & (np.abs(sel['flat'][:, 0]) > 0.9) & (p[:, 1] < 0.60)
     col[lip] = (70, 70, 66)
@@ -288,7 +329,8 @@ def paint(layer, meshes, count, mats=MATS):
     col[soft] *= (1 + 0.14 * noise(tank * np.array((3.0, 1, 1)), 6.0, 23))[soft][:, None]
     # anti-slip coating on what one walks on
     walk = is_('paint') & (mesh < 2) & (n[:, 1] > 0.95) & (sel['size'] > 0.25) & (sel['convex'] > 0.05)
-    col[walk] *= 0.93
+    col[walk] *= 0.90
+    col = mix(col, col * 0.5, seams(p, n, (mesh == 0) & is_('paint')))
     # bolts along the edges of bolted plates
     facing = (np.abs(sel['flat'][:, 0]) > 0.98) | (sel['flat'][:, 1] > 0.98)
     plate = is_('paint') & (mesh < 2) & facing & (sel['size'] > 0.09) & (sel['size'] < 1.35)
@@ -310,7 +352,7 @@ def paint(layer, meshes, count, mats=MATS):
     # dust: low parts, and what faces up
     high = np.where((mesh == 0), step(1.25, 0.30, tank[:, 1]), 0.0)
     dust = np.clip(high * (0.62 + 0.30 * noise(tank, 1.7, 41) + 0.22 * noise(tank, 5.0, 42)), 0, 0.75) * np.where(
-        t, 0.5, 0.85
+        t, 0.35, 0.85
     )
     dust = np.where(w, np.clip(0.20 + 0.2 * noise(p, 6.0, 43), 0, 1), dust)
     up = np.clip(n[:, 1], 0, 1) * np.clip(0.15 + 0.16 * noise(tank, 1.3, 44), 0, 1)
@@ -330,12 +372,9 @@ def paint(layer, meshes, count, mats=MATS):
         on = tur & (n[:, 0] * sign > 0.5) & (sel['size'] > 0.05)
         u = -(p[:, 2] - 0.455) if sign > 0 else p[:, 2]
         col = letter(on, u, p[:, 1] - 0.485, '327', 0.18)
-    ahead = body & (n[:, 2] > 0.5) & (p[:, 1] < 1.02)
-    behind = body & (n[:, 2] < -0.5)
-    for on, u, v in ((ahead, p[:, 0], p[:, 1] - 0.93), (behind, -p[:, 0], p[:, 1] - 1.30)):
-        board = on & (np.abs(u) < 0.25) & (np.abs(v) < 0.062)
-        col[board] = (58, 58, 56)
-        col = letter(board, u + 0.213, v - (-0.038), 'TL-327', 0.076)
+    for on, side, middle, slope in ((p[:, 2] > 0, 1, 0.9324, 1.302), (p[:, 2] < 0, -1, 1.3009, 1.011)):
+        u, v = p[:, 0] * side + BOARD[0] * 0.86, (p[:, 1] - middle) * slope + 0.038
+        col = letter(is_('board') & on, u, v, 'TL-327', 0.076)
     du, dv = p[:, 0] + 0.86, -(p[:, 2] - 3.36)
     on = body & (n[:, 1] > 0.8)
     col[on & (np.hypot(du, dv) < 0.115)] = (206, 172, 72)

@@ -88,12 +88,12 @@ def armour(m):
     side = band(3, BELT, SHOULDER, 0.40, 0.765)
 
     def build():
-        m.begin(smooth=20)
+        m.begin(dens=1.25, smooth=20)
         slab(m, patch(cheek, 0.02, 0.48, 0.04, 0.93), 0.035, 0.018)
         slab(m, patch(cheek, 0.51, 0.97, 0.04, 0.93), 0.035, 0.018)
         slab(m, patch(under, 0.05, 0.95, 0.25, 0.95), 0.025, 0.014)
         for u0, u1 in ((0.01, 0.42), (0.44, 0.61)):
-            m.begin(smooth=20)
+            m.begin(dens=1.6, smooth=20)
             slab(m, patch(side, u0, u1, 0.03, 0.94), 0.045, 0.02)
         # stowage bins on the bustle's flanks
         flank = band(5, BELT, SHOULDER, 0.40, 0.765)
@@ -214,7 +214,8 @@ def roof(m):
     m.begin(smooth=20)
     slab(m, [(0.62, ROOF, -2.02), (0.62, ROOF, -1.16), (1.00, ROOF, -1.16), (1.00, ROOF, -2.02)], 0.018, 0.01)
     slab(m, [(-1.00, ROOF, -2.02), (-1.00, ROOF, -1.16), (-0.62, ROOF, -1.16), (-0.62, ROOF, -2.02)], 0.018, 0.01)
-    slab(m, [(-0.40, ROOF, 0.55), (-0.40, ROOF, 0.84), (0.40, ROOF, 0.84), (0.40, ROOF, 0.55)], 0.016, 0.01)
+    m.begin(dens=1.1, smooth=20)  # the cover that closes the roof over the gun, clear of it at every elevation
+    box(m, (-0.46, 0.768, 0.50), (0.46, 0.816, 1.19), 0.012, bottom=True)
 
     def lug():
         m.begin(dens=0.8, smooth=20)

@@ -1,4 +1,4 @@
-"""One road wheel: two tyres and a groove between them for the track's horns; +X is the good side."""
+"""One road wheel: two tyres, the groove between them painted; +X is the good side."""
 import math
 
 from mathutils import Vector
@@ -13,7 +13,7 @@ RIM = 0.283  # where rubber ends and paint begins, for the texture
 def build():
     m = Mesh('tankwheel')
     f = turn('Y', 90)
-    n = 12
+    n = 14
     r = WHEEL_R
     m.begin('wheel', 1.0, smooth=40)
     lathe(
@@ -21,9 +21,6 @@ def build():
         [
             (0.0, -0.19),
             (r, -0.25),
-            (r, -0.06),
-            (0.235, 0.0),
-            (r, 0.06),
             (r, 0.232),
             (0.283, 0.25),
             (0.262, 0.192),

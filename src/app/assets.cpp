@@ -22,6 +22,13 @@ double wheel_radius(const Assets& assets)
     return radius;
 }
 
+void measure(Assets& assets)
+{
+    assets.wheel_radius = wheel_radius(assets);
+    assets.track_links =
+        find_track_links(assets.high[tank::index_of(tank::MeshKind::body)], assets.wheel_radius);
+}
+
 mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
 {
     // All names first: a missing file is said before time goes into reading the others.
@@ -54,7 +61,7 @@ mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
         return texture.error();
     }
     assets.texture = std::move(texture.value());
-    assets.wheel_radius = wheel_radius(assets);
+    measure(assets);
     return assets;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/track_links.h"
 #include "mesh/image.h"
 #include "mesh/obj_mesh.h"
 #include "mesh/result.h"
@@ -38,10 +39,11 @@ struct Assets
     std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> high = {}; ///< by tank::index_of(MeshKind)
     std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> low = {};  ///< without faces when there is no low model
     mesh::Image texture = {};
-    double wheel_radius = 0.0; ///< metres: how far the wheel's mesh reaches from its axle
-    bool has_low_model = true; ///< else the high one is drawn in its place
-    bool is_one_sided = true;  ///< no face is seen from behind; else its back is drawn, too
-    double scale = 1.0;        ///< metres for a unit of the files; positions and layouts are in metres
+    double wheel_radius = 0.0;   ///< metres: how far the wheel's mesh reaches from its axle
+    TrackLinks track_links = {}; ///< of the high body's mesh
+    bool has_low_model = true;   ///< else the high one is drawn in its place
+    bool is_one_sided = true;    ///< no face is seen from behind; else its back is drawn, too
+    double scale = 1.0;          ///< metres for a unit of the files; positions and layouts are in metres
 
     /// Returns the meshes that are drawn at a level, and how they are assembled.
     const std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT>& meshes(Level level) const
@@ -79,6 +81,9 @@ struct AssetFile
 
 /// Returns how far the wheel's mesh reaches from its axle. Metres.
 double wheel_radius(const Assets& assets);
+
+/// Works out what follows from the high meshes and the layout: the wheel's radius and the track's links.
+void measure(Assets& assets);
 
 /// Reads the ten meshes and the texture and lays them out by tank::default_layout(). Other files are ignored.
 /// Errors: files that are missing, all named in one; a name given twice; whatever is wrong inside a file,

@@ -222,7 +222,7 @@ mesh::Result<UsersTank> read_users_tank(std::span<const AssetFile> files)
         return error;
     }
     lay_out(assets, tank.data);
-    assets.wheel_radius = wheel_radius(assets);
+    measure(assets);
     if (tank.data != TankData::ours) {
         assets.is_one_sided = false; // nobody knows whether their surfaces are closed
         wind_by_normals(assets.high);

@@ -64,6 +64,8 @@ private:
             return read_face();
         if (keyword == "s")
             read_smoothing_group();
+        if (keyword == "g")
+            group_ = statements_.next_word();
         return {};
     }
 
@@ -174,9 +176,26 @@ private:
                    "modelling program";
         polygons_.push_back(
             {static_cast<int>(mesh_.faces.size()), static_cast<int>(triangles_.size()), smoothing_group_});
+        add_to_group(static_cast<int>(triangles_.size()));
         for (const CornerTriangle& t : triangles_)
             mesh_.faces.push_back({{corners_[t[0]], corners_[t[1]], corners_[t[2]]}});
         return {};
+    }
+
+    /// Notes that the next `face_count` faces belong to the current group, if there is one.
+    void add_to_group(int face_count)
+    {
+        if (group_.empty())
+            return;
+        const int first_face = static_cast<int>(mesh_.faces.size());
+        if (!mesh_.groups.empty()) {
+            FaceGroup& last = mesh_.groups.back();
+            if (last.name == group_ && last.first_face + last.face_count == first_face) {
+                last.face_count += face_count;
+                return;
+            }
+        }
+        mesh_.groups.push_back({std::string(group_), first_face, face_count});
     }
 
     static constexpr std::size_t most_numbers = 8; // x y z, w, r g b a
@@ -186,6 +205,7 @@ private:
     ObjMesh mesh_;
     std::vector<Polygon> polygons_;
     int smoothing_group_ = 0;
+    std::string_view group_; // of the text
     long long polygon_steps_left_ = max_polygon_steps;
 
     // Of the current statement; members so that they keep their memory.

@@ -24,12 +24,14 @@ inline constexpr long long max_polygon_steps = 1LL << 26;
 
 /// Reads the faces of an OBJ text and what they are made of.
 ///
-/// `v`, `vt`, `vn`, `f` and `s` are read; every other statement is tolerated and skipped. Lines may end in
-/// LF, CR LF or CR, a backslash before the line's end continues it, and `#` starts a comment. Numbers have a
-/// decimal point in every locale.
+/// `v`, `vt`, `vn`, `f`, `g` and `s` are read; every other statement is tolerated and skipped. Lines may end
+/// in LF, CR LF or CR, a backslash before the line's end continues it, and `#` starts a comment. Numbers have
+/// a decimal point in every locale.
 /// - Positions: the first three numbers of `v`; a weight or a colour after them is dropped.
 /// - Texture coordinates: the first two numbers of `vt`; a missing second one is 0.
 /// - Indices count from 1, or backwards from -1, and must name something further up in the text.
+/// - Groups: the first name of `g`; one without a name ends the group before. A group without faces is
+/// dropped.
 /// - Polygons are cut into n - 2 triangles each (see polygon.h), concave ones too.
 /// - Given normals are kept as they are, except that one too short or too long to be normalised is replaced,
 /// where a

@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <numeric>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace platform {
 namespace {
@@ -15,7 +18,8 @@ constexpr double TRIANGLES = 4.0; // GL_TRIANGLES; <GL/gl.h> is scene's alone
 class Comparison
 {
 public:
-    explicit Comparison(const mesh::ObjMesh& obj) : obj_(obj) {}
+    /// faces: of obj, in the order in which they have to come.
+    Comparison(const mesh::ObjMesh& obj, std::span<const int> faces) : obj_(obj), faces_(faces) {}
 
     void take(const LegacyGLCall& call)
     {
@@ -39,10 +43,11 @@ private:
     void take_corner(const glm::dvec3& position)
     {
         const std::size_t corner = corners_++;
-        if (corner / 3 >= obj_.faces.size()) {
+        if (corner / 3 >= faces_.size()) {
             return; // too many, which the count shows
         }
-        const mesh::FaceVertex& wanted = obj_.faces[corner / 3].vertices[corner % 3];
+        const mesh::FaceVertex& wanted =
+            obj_.faces[static_cast<std::size_t>(faces_[corner / 3])].vertices[corner % 3];
         const bool textured = wanted.texture_coordinate >= 0;
         const glm::dvec2 texture_coordinate =
             textured
@@ -56,6 +61,7 @@ private:
     }
 
     const mesh::ObjMesh& obj_;
+    std::span<const int> faces_;
     bool only_triangles_ = true;
     std::size_t corners_ = 0;
     std::size_t wrong_corners_ = 0;
@@ -63,12 +69,30 @@ private:
     glm::dvec2 texture_coordinate_{0.0};
 };
 
+/// Returns the faces of a mesh in the order of its drawing: a body's links come after the rest of it, the
+/// left track's first.
+std::vector<int> drawing_order(const app::Assets& assets, std::size_t mesh)
+{
+    std::vector<int> order(assets.high[mesh].faces.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (mesh == tank::index_of(tank::MeshKind::body) && assets.track_links.any()) {
+        order = assets.track_links.resting;
+        for (const auto& side : assets.track_links.moving) {
+            for (const app::LinkFace& face : side) {
+                order.push_back(face.here);
+            }
+        }
+    }
+    return order;
+}
+
 void check_mesh(const CheckSubject& subject, const FrameCapture& capture, std::size_t call,
                 Evidence& evidence)
 {
     const std::size_t mesh = tank::index_of(capture.tank_list_calls[call].mesh);
     const mesh::ObjMesh& obj = subject.assets.high[mesh];
-    Comparison comparison(obj);
+    const std::vector<int> order = drawing_order(subject.assets, mesh);
+    Comparison comparison(obj, order);
     for (const LegacyGLCall& of_list : capture.calls_of_list(capture.tank_list_calls[call])) {
         comparison.take(of_list);
     }

@@ -29,6 +29,20 @@ template <class ListOf> std::optional<tank::MeshKind> mesh_of(unsigned list, Lis
     return std::nullopt;
 }
 
+bool calls_track_list(const LegacyGLCall& call, const scene::TankLists& lists)
+{
+    return std::string_view(call.name) == "glCallList" &&
+           lists.is_track_list(static_cast<unsigned>(call.arguments[0]));
+}
+
+/// Counts call i as the last list's if it follows what that has called so far.
+void extend(std::vector<TankListCall>& list_calls, std::size_t i)
+{
+    if (!list_calls.empty() && list_calls.back().end == i) {
+        list_calls.back().end = i + 1;
+    }
+}
+
 /// Fills in what follows from the calls.
 void digest(FrameCapture& capture, const scene::TankLists& lists)
 {
@@ -38,7 +52,9 @@ void digest(FrameCapture& capture, const scene::TankLists& lists)
     for (std::size_t i = 0; i < capture.calls.size(); ++i) {
         const LegacyGLCall& call = capture.calls[i];
         const std::string_view name = call.name;
-        if (call.list_depth != 0) {
+        if (call.list_depth != 0 || calls_track_list(call, lists)) {
+            extend(capture.tank_list_calls, i);
+            extend(capture.low_list_calls, i);
             continue;
         }
         if (name == "glPushMatrix") {
@@ -52,10 +68,10 @@ void digest(FrameCapture& capture, const scene::TankLists& lists)
         } else if (name == "glCallList") {
             const auto list = static_cast<unsigned>(call.arguments[0]);
             if (const auto mesh = mesh_of(list, [&](tank::MeshKind kind) { return lists.list(kind); })) {
-                capture.tank_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i});
+                capture.tank_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i, i + 1});
             }
             if (const auto mesh = mesh_of(list, [&](tank::MeshKind kind) { return lists.low_list(kind); })) {
-                capture.low_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i});
+                capture.low_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i, i + 1});
             }
         }
     }
@@ -80,16 +96,6 @@ bool nearly_equal(const glm::mat4& a, const glm::mat4& b, float tolerance)
 bool TankListCall::stands_within(int scope) const
 {
     return std::find(scopes.begin(), scopes.end(), scope) != scopes.end();
-}
-
-std::span<const LegacyGLCall> FrameCapture::calls_of_list(const TankListCall& call) const
-{
-    const std::size_t first = call.index + 1;
-    std::size_t end = first;
-    while (end < calls.size() && calls[end].list_depth > 0) {
-        ++end;
-    }
-    return calls.subspan(first, end - first);
 }
 
 FrameCapture capture_frame(const CheckSubject& subject, const app::State& state)

@@ -36,6 +36,7 @@ struct TankListCall
     std::vector<int>
         scopes;        ///< the pushes it stands within, outermost first; each push of the frame has a number
     std::size_t index; ///< in FrameCapture::calls
+    std::size_t end;   ///< of what the list called, and those of the track's links after a body's
 
     /// Returns whether the call stands within that push.
     bool stands_within(int scope) const;
@@ -49,8 +50,12 @@ struct FrameCapture
     std::vector<TankListCall> low_list_calls;  ///< of the low tank
     bool matrix_stack_balanced;                ///< as many pops as pushes, and never more
 
-    /// Returns the calls that the list made which one of these called.
-    std::span<const LegacyGLCall> calls_of_list(const TankListCall& call) const;
+    /// Returns the calls that the list made which one of these called; after a body's, those for the track's
+    /// links.
+    std::span<const LegacyGLCall> calls_of_list(const TankListCall& call) const
+    {
+        return calls.subspan(call.index + 1, call.end - call.index - 1);
+    }
 };
 
 /// Draws a frame and notes what was called. Precondition: legacygl has a current context.

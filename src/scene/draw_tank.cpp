@@ -10,7 +10,20 @@ namespace scene {
 
 void TankDrawing::draw_tank(float x, float y, float z) const
 {
-    draw_at(x, y, z, [this](tank::MeshKind mesh) { glCallList(lists_.list(mesh)); });
+    draw_at(x, y, z, [this](tank::MeshKind mesh) {
+        glCallList(lists_.list(mesh));
+        if (mesh == tank::MeshKind::body) {
+            draw_links(app::Side::left, tank::Joint::wheels_left);
+            draw_links(app::Side::right, tank::Joint::wheels_right);
+        }
+    });
+}
+
+void TankDrawing::draw_links(app::Side side, tank::Joint wheels) const
+{
+    if (const unsigned list = lists_.track_list(side, joints_[wheels]); list != 0) {
+        glCallList(list);
+    }
 }
 
 void TankDrawing::draw_tank_low(float x, float y, float z) const

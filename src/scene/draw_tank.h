@@ -20,7 +20,8 @@ public:
     {}
 
     /// Draws the tank with its body's pivot at (x, y, z), metres in the current modelview frame.
-    /// Walks the tree of parts on the matrix stack, which is afterwards as it was.
+    /// Walks the tree of parts on the matrix stack, which is afterwards as it was. The links of the tracks,
+    /// if the body has some, are where the wheels of their side have turned them.
     void draw_tank(float x, float y, float z) const;
 
     /// Draws the low-detail tank in the same way, without light and texture, each mesh in its low_colour().
@@ -29,6 +30,7 @@ public:
     void draw_tank_low(float x, float y, float z) const;
 
 private:
+    void draw_links(app::Side side, tank::Joint wheels) const;
     template <class DrawMesh> void draw_at(float x, float y, float z, const DrawMesh& draw_mesh) const;
     template <class DrawMesh> void draw_part(tank::Part part, const DrawMesh& draw_mesh) const;
 

@@ -87,8 +87,8 @@ std::string SceneRenderer::load_tank(const app::Assets& assets)
         glDeleteTextures(1, &texture_);
     }
     texture_ = upload_texture(assets.texture);
-    const bool loaded =
-        tank_lists_.load_tank_objs(assets.high) && tank_lists_.load_low_detail_tank_objs(assets.low);
+    const bool loaded = tank_lists_.load_tank_objs(assets.high, assets.track_links) &&
+                        tank_lists_.load_low_detail_tank_objs(assets.low);
     const GLenum error = glGetError();
     return loaded && error == GL_NO_ERROR ? "" : refusal(error);
 }

@@ -9,15 +9,21 @@ namespace {
 
 constexpr GLsizei LIST_COUNT = tank::MESH_KIND_COUNT;
 
+/// Puts new names in the place of old ones, whose lists are deleted. Returns false when there are none left.
+bool rename_lists(GLuint& first, GLsizei count)
+{
+    if (first != 0) {
+        glDeleteLists(first, count);
+    }
+    first = glGenLists(count);
+    return first != 0;
+}
+
 } // namespace
 
 bool TankLists::load(const Meshes& objs, unsigned& first_list)
 {
-    if (first_list != 0) {
-        glDeleteLists(first_list, LIST_COUNT);
-    }
-    first_list = glGenLists(LIST_COUNT);
-    if (first_list == 0) {
+    if (!rename_lists(first_list, LIST_COUNT)) {
         return false;
     }
     for (unsigned i = 0; i < objs.size(); ++i) {
@@ -26,6 +32,51 @@ bool TankLists::load(const Meshes& objs, unsigned& first_list)
         glEndList();
     }
     return true;
+}
+
+bool TankLists::load_tank_objs(const Meshes& objs, const app::TrackLinks& links)
+{
+    if (first_track_list_ != 0) {
+        glDeleteLists(first_track_list_, TRACK_LIST_COUNT);
+        first_track_list_ = 0;
+    }
+    links_ = links;
+    if (!links.any()) {
+        return load(objs, first_list_);
+    }
+    const std::size_t body = tank::index_of(tank::MeshKind::body);
+    Meshes resting = objs;
+    resting[body] = app::without_links(objs[body], links);
+    return load(resting, first_list_) && load_links(objs[body]);
+}
+
+bool TankLists::load_links(const mesh::ObjMesh& body)
+{
+    first_track_list_ = glGenLists(TRACK_LIST_COUNT);
+    if (first_track_list_ == 0) {
+        return false;
+    }
+    for (unsigned i = 0; i < TRACK_LIST_COUNT; ++i) {
+        const double way = static_cast<double>(i % PHASES) / PHASES;
+        glNewList(first_track_list_ + i, GL_COMPILE);
+        draw_obj(app::moved_links(body, links_, static_cast<app::Side>(i / PHASES), way));
+        glEndList();
+    }
+    return true;
+}
+
+unsigned TankLists::track_list(app::Side side, double angle) const
+{
+    if (first_track_list_ == 0) {
+        return 0;
+    }
+    const auto phase = static_cast<unsigned>(app::link_phase(links_, angle, PHASES));
+    return first_track_list_ + static_cast<unsigned>(side) * PHASES + phase;
+}
+
+bool TankLists::is_track_list(unsigned list) const
+{
+    return first_track_list_ != 0 && list >= first_track_list_ && list < first_track_list_ + TRACK_LIST_COUNT;
 }
 
 } // namespace scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/track_links.h"
 #include "mesh/obj_mesh.h"
 #include "tank/part.h"
 
@@ -7,28 +8,44 @@
 
 namespace scene {
 
-/// The display lists of the tank's five meshes, and those of the five low-detail ones. They belong to the
-/// context that was current when they were compiled, and go with it.
+/// The display lists of the tank's five meshes, and those of the five low-detail ones; for a body whose
+/// tracks have links, a list more for each side and step of a link's way to the next one's place, because a
+/// list cannot change. They belong to the context that was current when they were compiled, and go with it.
 class TankLists
 {
 public:
     using Meshes = std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT>;
 
     /// Compiles each mesh into a display list of its own, in the order of tank::MeshKind.
+    /// The body's list is without what `links` says to move, which track_list() has.
     /// Called again, it replaces the lists. Returns false when OpenGL has no names for lists left.
-    bool load_tank_objs(const Meshes& objs) { return load(objs, first_list_); }
+    bool load_tank_objs(const Meshes& objs, const app::TrackLinks& links = {});
 
-    /// Does the same with the meshes of the low-detail tank, into lists of their own.
+    /// Does the same with the meshes of the low-detail tank, into lists of their own; their tracks are one
+    /// piece.
     bool load_low_detail_tank_objs(const Meshes& objs) { return load(objs, first_low_list_); }
 
     /// Returns the name of a mesh's display list; 0 before load_tank_objs.
     unsigned list(tank::MeshKind mesh) const { return list_after(first_list_, mesh); }
 
+    /// Returns the list of what moves of a side's track, in the body's frame, where its wheels have turned by
+    /// an angle in radians; 0 if nothing moves.
+    unsigned track_list(app::Side side, double angle) const;
+
+    /// Tells whether a list is one of those that track_list() can return.
+    bool is_track_list(unsigned list) const;
+
     /// Returns that of the low-detail mesh; 0 before load_low_detail_tank_objs.
     unsigned low_list(tank::MeshKind mesh) const { return list_after(first_low_list_, mesh); }
 
 private:
+    /// A step of a link's way is some two centimetres then, which is less than the tank moves between two
+    /// pictures at any but a crawling speed.
+    static constexpr unsigned PHASES = 10;
+    static constexpr unsigned TRACK_LIST_COUNT = app::SIDE_COUNT * PHASES;
+
     static bool load(const Meshes& objs, unsigned& first_list);
+    bool load_links(const mesh::ObjMesh& body);
     static unsigned list_after(unsigned first_list, tank::MeshKind mesh)
     {
         return first_list == 0 ? 0 : first_list + static_cast<unsigned>(tank::index_of(mesh));
@@ -36,6 +53,8 @@ private:
 
     unsigned first_list_ = 0;
     unsigned first_low_list_ = 0;
+    unsigned first_track_list_ = 0; ///< the left side's phases, then the right one's
+    app::TrackLinks links_;
 };
 
 } // namespace scene

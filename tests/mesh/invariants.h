@@ -34,6 +34,15 @@ inline std::string broken_invariant(const mesh::ObjMesh& m)
             if (v.texture_coordinate != -1 && !is_index(v.texture_coordinate, m.texture_coordinates.size()))
                 return "a texture coordinate index is out of range";
         }
+    std::size_t ungrouped = 0; // the first face that no group before has
+    for (const mesh::FaceGroup& group : m.groups) {
+        if (group.name.empty() || group.face_count < 1 || group.first_face < 0 ||
+            std::size_t(group.first_face) < ungrouped)
+            return "a group has no name, no faces or those of another";
+        ungrouped = std::size_t(group.first_face) + std::size_t(group.face_count);
+        if (ungrouped > m.faces.size())
+            return "a group's faces are out of range";
+    }
     if (m.faces.empty())
         return "there are no faces";
     return m.faces.size() > mesh::max_obj_triangles ? "there are too many faces" : "";

@@ -168,6 +168,19 @@ TEST(ReadObj, ReadsDecimalPointsInALocaleWithCommas)
     std::setlocale(LC_NUMERIC, "C");
 }
 
+TEST(ReadObj, KeepsTheGroupsOfFacesInTheirOrder)
+{
+    const ObjMesh m = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+                           "f 1 2 3\n"
+                           "g track_0 moving\nf 1 2 3\nf 1 2 4 3\n"
+                           "g track_1\nf 2 3 1\ng track_1\nf 3 2 1\n"
+                           "g\nf 1 2 3\n"
+                           "g empty\ng track_0\nf 2 4 3\n");
+    EXPECT_EQ(m.faces.size(), 8u);
+    EXPECT_EQ(m.groups,
+              (std::vector<mesh::FaceGroup>{{"track_0", 1, 3}, {"track_1", 4, 2}, {"track_0", 7, 1}}));
+}
+
 TEST(ReadObj, KeepsGivenNormalsAsTheyAre)
 {
     const ObjMesh m = read(std::string(corner) + "vn 0 0 0.2\nvn 3 2 1\nvn -1 0 0\nf 1//1 2//2 3//3\n");

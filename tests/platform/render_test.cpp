@@ -115,6 +115,20 @@ TEST_F(Render, DrawsAnotherPictureForAnotherLink)
     EXPECT_NE(first, read_file(picture()));
 }
 
+TEST_F(Render, MovesTheLinksOfATrackAsItsWheelsTurn)
+{
+    // Only the body is drawn, from the left: the left wheels' angle shows in its track alone. A link's pitch
+    // is an eleventh of a turn; after it, the next link is where the one before was.
+    const std::string link = "#parts=body&detail=high&orbit=90&tilt=5&look_y=0.6&distance=6&wheels_left=";
+    std::vector<std::string> pictures;
+    for (const char* const angle : {"0", "16.36", "32.73"}) {
+        ASSERT_EQ(draw(link + angle, "256x160").status, 0);
+        pictures.push_back(read_file(picture()));
+    }
+    EXPECT_NE(pictures[0], pictures[1]);
+    EXPECT_EQ(pictures[0], pictures[2]);
+}
+
 TEST_F(Render, TakesAWholeAddressAsALink)
 {
     const Finished address =

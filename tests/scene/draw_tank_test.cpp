@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -105,6 +106,27 @@ TEST_F(DrawTank, PutsEveryPartWherePartMatricesPutIt)
             break;
         }
     }
+}
+
+TEST_F(DrawTank, DrawsTheLinksOfEachSideWithTheBodyWhereItsWheelsHaveTurnedThem)
+{
+    const app::Assets with_links = scene_test::assets_with_links();
+    ASSERT_TRUE(lists.load_tank_objs(with_links.high, with_links.track_links));
+    recording_gl::take_calls();
+    const double pitch = 2.0 * std::numbers::pi / with_links.track_links.per_turn;
+    joints[Joint::heading] = 0.7;
+    joints[Joint::wheels_left] = 0.3 * pitch;
+    joints[Joint::wheels_right] = -0.4 * pitch;
+    const recording_gl::Replay replay = recording_gl::replay(draw(1.0f, 0.0f, 2.0f));
+    ASSERT_EQ(replay.list_calls.size(), tank::PART_COUNT + 2);
+    EXPECT_LE(replay.list_calls.size(), 25u); // draw calls that a tank may take
+    EXPECT_EQ(replay.list_calls[0].list, lists.list(tank::MeshKind::body));
+    EXPECT_EQ(replay.list_calls[1].list, lists.track_list(app::Side::left, 0.3 * pitch));
+    EXPECT_EQ(replay.list_calls[2].list, lists.track_list(app::Side::right, -0.4 * pitch));
+    EXPECT_NE(replay.list_calls[1].list, lists.track_list(app::Side::left, 0.0));
+    EXPECT_NE(replay.list_calls[2].list, lists.track_list(app::Side::right, 0.0));
+    EXPECT_EQ(replay.list_calls[1].modelview, replay.list_calls[0].modelview);
+    EXPECT_EQ(replay.list_calls[2].modelview, replay.list_calls[0].modelview);
 }
 
 TEST_F(DrawTank, FollowsATreeOfAnyShape)

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace scene_test {
@@ -33,6 +34,26 @@ inline mesh::ObjMesh mesh_of(int faces, bool textured = true)
         obj.faces.push_back(corners);
     }
     return obj;
+}
+
+/// Returns such a set whose body has a chain of three links on each side, a face each, and a fourth face that
+/// rests.
+inline app::Assets assets_with_links()
+{
+    app::Assets all{.layout = tank::default_layout(), .high = {}, .low = {}, .texture = {}};
+    for (std::size_t i = 0; i < tank::MESH_KIND_COUNT; ++i) {
+        all.high[i] = mesh_of(1);
+        all.low[i] = mesh_of(1, false);
+    }
+    mesh::ObjMesh& body = all.high[tank::index_of(tank::MeshKind::body)];
+    body = mesh_of(7);
+    for (int link = 0; link < 6; ++link) {
+        const char* const name = link < 3 ? "left_track_" : "right_track_";
+        body.groups.push_back({name + std::to_string(link % 3), 1 + link, 1});
+    }
+    all.texture = {.width = 1, .height = 1, .channels = 3, .pixels = {1, 2, 3}};
+    app::measure(all);
+    return all;
 }
 
 /// Returns a whole set of tiny meshes, each of another size, and a texture of 3 x 2 pixels.

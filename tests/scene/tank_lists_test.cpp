@@ -3,6 +3,8 @@
 #include "fixtures.h"
 #include "recording_gl.h"
 
+#include <algorithm>
+#include <numbers>
 #include <set>
 
 #include <GL/gl.h>
@@ -77,6 +79,52 @@ TEST(TankLists, LoadedAgainReplaceTheOldOnes)
     const std::vector<Call> deleted = named(recording_gl::calls(), "glDeleteLists");
     ASSERT_EQ(deleted.size(), 1u);
     EXPECT_EQ(deleted[0].arguments, (std::vector<double>{static_cast<double>(old), 5.0}));
+}
+
+std::size_t vertices_of(unsigned list)
+{
+    const std::vector<Call> vertices = named(recording_gl::calls(), "glVertex3f");
+    return static_cast<std::size_t>(std::count_if(
+        vertices.begin(), vertices.end(), [&](const Call& call) { return call.compiled_into == list; }));
+}
+
+TEST(TankLists, OfABodyWithLinksHaveThemOnTheirWayInListsOfTheirOwn)
+{
+    recording_gl::reset();
+    const app::Assets assets = scene_test::assets_with_links();
+    scene::TankLists lists;
+    ASSERT_TRUE(lists.load_tank_objs(assets.high, assets.track_links));
+    EXPECT_EQ(vertices_of(lists.list(MeshKind::body)), 3u); // the face that rests
+    const double pitch = 2.0 * std::numbers::pi / assets.track_links.per_turn;
+    std::set<unsigned> names;
+    for (const app::Side side : {app::Side::left, app::Side::right}) {
+        for (int step = 0; step < 100; ++step) {
+            const unsigned list = lists.track_list(side, pitch * (step / 100.0 + 0.003));
+            EXPECT_TRUE(lists.is_track_list(list));
+            EXPECT_EQ(list, lists.track_list(side, pitch * (step / 100.0 - 1.997)));
+            EXPECT_EQ(vertices_of(list), 9u); // three links
+            names.insert(list);
+        }
+    }
+    EXPECT_EQ(names.count(0), 0u);
+    EXPECT_GE(names.size(), 2u * 8u); // steps of a pitch
+    EXPECT_FALSE(lists.is_track_list(lists.list(MeshKind::body)));
+    EXPECT_FALSE(lists.is_track_list(0));
+}
+
+TEST(TankLists, OfABodyWithoutLinksAreNoMore)
+{
+    recording_gl::reset();
+    scene::TankLists lists;
+    const app::Assets with = scene_test::assets_with_links();
+    ASSERT_TRUE(lists.load_tank_objs(with.high, with.track_links));
+    const unsigned old = lists.track_list(app::Side::left, 0.0);
+    recording_gl::take_calls();
+    ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
+    EXPECT_EQ(lists.track_list(app::Side::left, 0.0), 0u);
+    EXPECT_FALSE(lists.is_track_list(old));
+    EXPECT_EQ(named(recording_gl::calls(), "glEndList").size(), 5u);
+    EXPECT_EQ(named(recording_gl::calls(), "glDeleteLists").size(), 2u);
 }
 
 TEST(TankLists, OfTheLowTankAreFiveOfTheirOwn)

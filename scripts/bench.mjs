@@ -14,6 +14,7 @@ import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { launch, SITE } from "../tests/page/harness.mjs";
 import { measureOpenGl } from "./bench-opengl.mjs";
+import { measureReading } from "./bench-reading.mjs";
 import { serve } from "./serve.mjs";
 
 const OUTPUT = fileURLToPath(new URL("../build/bench.json", import.meta.url));
@@ -151,13 +152,14 @@ async function main() {
   for (const { name, ...figures } of times) {
     row(name, ...Object.values(figures).map((value, index) => `${value.toFixed(index === 0 ? 0 : 2)} ms`));
   }
-  const opengl = await measureOpenGl(rounds, (text) => process.stderr.write(`${text}\n`));
+  const say = (text) => process.stderr.write(`${text}\n`);
+  const compared = [...(await measureOpenGl(rounds, say)), ...(await measureReading(say))];
   console.log();
-  row("OpenGL (medians)", "legacygl", "", "other", "ratio", "target");
-  for (const { name, ours_ms, other, other_ms, ratio, target } of opengl) {
+  row("compared (medians)", "ours", "", "other", "ratio", "target");
+  for (const { name, ours_ms, other, other_ms, ratio, target } of compared) {
     row(name, `${ours_ms.toFixed(3)} ms`, other, `${other_ms.toFixed(3)} ms`, ratio.toFixed(2), target === null ? "" : `at most ${target}`);
   }
-  const result = { date: new Date().toISOString(), commit: commit(), cpu: os.cpus()[0]?.model, rounds, sizes, times, opengl };
+  const result = { date: new Date().toISOString(), commit: commit(), cpu: os.cpus()[0]?.model, rounds, sizes, times, compared };
   fs.writeFileSync(OUTPUT, `${JSON.stringify(result, null, 2)}\n`);
   console.log("\nwritten to build/bench.json");
 }

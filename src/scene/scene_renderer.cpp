@@ -5,6 +5,7 @@
 #include "scene/markers.h"
 #include "scene/materials.h"
 #include "scene/scoped_state.h"
+#include "scene/shadow.h"
 #include "scene/spheres.h"
 #include "scene/texture.h"
 
@@ -88,19 +89,21 @@ std::string SceneRenderer::load_tank(const app::Assets& assets)
     }
     texture_ = upload_texture(assets.texture);
     const bool loaded = tank_lists_.load_tank_objs(assets.high, assets.track_links) &&
-                        tank_lists_.load_low_detail_tank_objs(assets.low);
+                        tank_lists_.load_low_detail_tank_objs(assets.low) &&
+                        tank_lists_.load_shapes(assets.meshes(shadow_level(assets)));
     const GLenum error = glGetError();
     return loaded && error == GL_NO_ERROR ? "" : refusal(error);
 }
 
 void SceneRenderer::draw(const app::Frame& frame, int width, int height) const
 {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     set_camera(frame.camera, width, height);
     place_lights();
     surroundings_.draw_sky(frame.camera);
     if (frame.ground) {
         surroundings_.draw_ground(frame);
+        draw_shadow(frame, *assets_, tank_lists_);
     }
     draw_tanks(frame);
     draw_spheres(frame, shapes_);

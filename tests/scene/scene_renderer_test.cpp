@@ -219,6 +219,8 @@ TEST_F(SceneRenderer, LeavesOpenGlAtRestWhateverItDraws)
              {"glLineWidth", {1.0}},
              {"glPolygonMode", {GL_FRONT_AND_BACK, GL_FILL}},
              {"glMatrixMode", {GL_MODELVIEW}},
+             {"glStencilFunc", {GL_ALWAYS, 0.0, double(~0u)}},
+             {"glStencilOp", {GL_KEEP, GL_KEEP, GL_KEEP}},
          }) {
         EXPECT_EQ(after.final_settings.at(name), expected) << name;
     }
@@ -326,6 +328,7 @@ TEST(SceneRendererLoading, PutsAnotherTankInThePlaceOfTheFirstAndDeletesWhatThat
     ASSERT_EQ(renderer.load(first), "");
     const unsigned old_list = renderer.tank_lists().list(tank::MeshKind::body);
     const unsigned old_low_list = renderer.tank_lists().low_list(tank::MeshKind::body);
+    const unsigned old_shape_list = renderer.tank_lists().shape_list(tank::MeshKind::body);
     const auto before = static_cast<std::ptrdiff_t>(recording_gl::calls().size());
     ASSERT_EQ(renderer.load_tank(second), "");
     const std::vector<Call> calls(recording_gl::calls().begin() + before, recording_gl::calls().end());
@@ -335,7 +338,7 @@ TEST(SceneRendererLoading, PutsAnotherTankInThePlaceOfTheFirstAndDeletesWhatThat
             deleted.push_back(call.arguments[0]);
         }
     }
-    EXPECT_EQ(deleted, (std::vector<double>{double(old_list), double(old_low_list)}));
+    EXPECT_EQ(deleted, (std::vector<double>{double(old_list), double(old_low_list), double(old_shape_list)}));
     ASSERT_NE(first_named(calls, "glDeleteTextures"), nullptr);
     EXPECT_EQ(std::count_if(calls.begin(), calls.end(),
                             [](const Call& call) { return call.name == "glTexImage2D"; }),

@@ -29,7 +29,7 @@ Level level_of(const State& state)
     case Detail::low:
         return Level::low;
     case Detail::automatic:
-        return to_app(lod::level_at(state.camera.distance, state.show.threshold));
+        return to_app(lod::level_at(eye_distance(state), state.show.threshold));
     case Detail::high:
     case Detail::both:
         break;
@@ -84,12 +84,29 @@ AxisInFrame axis_of(const State& state, const Assets& assets)
             .direction = glm::normalize(glm::dmat3(joint) * axis)};
 }
 
+/// Divides the window among the views: one, or four as a drawing has them, the side's beside the front's and
+/// that from above below the side's.
+void add_panes(Frame& frame, const State& state)
+{
+    frame.pane_count = 1;
+    frame.panes[0] = {.left = 0, .bottom = 0, .parts = 1, .camera = frame.camera};
+    if (state.camera.view == View::four) {
+        frame.pane_count = 4;
+        frame.panes = {{{.left = 0, .bottom = 1, .parts = 2, .camera = side_view(state, Side::front)},
+                        {.left = 1, .bottom = 1, .parts = 2, .camera = side_view(state, Side::left)},
+                        {.left = 1, .bottom = 0, .parts = 2, .camera = side_view(state, Side::above)},
+                        {.left = 0, .bottom = 0, .parts = 2, .camera = frame.camera}}};
+    }
+}
+
 } // namespace
 
 Frame make_frame(const State& state, const Assets& assets)
 {
     Frame frame{};
-    frame.camera = camera_view(state);
+    frame.camera = camera_view(state, assets);
+    add_panes(frame, state);
+    frame.reticle = state.camera.view == View::gunner;
     frame.tanks[0] = {.position = {state.x, 0.0, state.z}, .joints = state.joints, .level = level_of(state)};
     frame.tank_count = 1;
     if (state.show.detail == Detail::both) {

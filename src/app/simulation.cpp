@@ -29,7 +29,7 @@ Simulation::Simulation(const Assets& assets)
 std::string Simulation::apply(const Command& command, double value)
 {
     const State before = state_;
-    std::string fault = app::apply(state_, command, value);
+    std::string fault = app::apply(state_, *assets_, command, value);
     follow(before);
     return fault;
 }
@@ -120,9 +120,11 @@ void Simulation::replay()
     app::begin_event(state_, state_.event.kind, 0);
     state_.tick = 0;
     begin_event();
+    const Camera camera = state_.camera; // a link says where the eye is now, not where it was then
     for (std::uint32_t tick = 0; tick < age; ++tick) {
         step();
     }
+    state_.camera = camera;
 }
 
 /// Begins the contacts and sparks of the state's event.
@@ -148,7 +150,7 @@ void Simulation::set_up_particles()
 
 void Simulation::update_level(bool is_opened)
 {
-    const double distance = state_.camera.distance;
+    const double distance = eye_distance(state_);
     if (is_opened) {
         level_.start(distance, state_.show.threshold);
         level_switches_ = 0;

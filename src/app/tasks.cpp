@@ -131,11 +131,13 @@ constexpr Task TASKS[] = {
     {.kind = TaskKind::figure,
      .id = "1",
      .title = "The tank as wireframe",
-     .text = "The edges of the high model's faces, seen from the front. Go round it to see it from several "
-             "angles.",
-     .commands = {"orbit_left", "orbit_right", "tilt_up", "tilt_down", "toggle_wireframe"},
-     .link = "ground=off&wireframe=on",
-     .source = "src/scene/draw_obj.cpp"},
+     .text =
+         "The edges of the high model's faces, in four viewports: from the front, from the left, from above, "
+         "and in perspective. Go round it, or turn something: all four show it.",
+     .commands = {"orbit_left", "orbit_right", "tilt_up", "turret_left", "gun_up", "toggle_wireframe",
+                  "next_view"},
+     .link = "view=four&ground=off&wireframe=on",
+     .source = "src/scene/scene_renderer.cpp"},
     {.kind = TaskKind::figure,
      .id = "2",
      .title = "The hierarchy of parts",

@@ -201,6 +201,10 @@ void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
     note("glViewport", {double(x), double(y), double(width), double(height)});
 }
+void glScissor(GLint x, GLint y, GLsizei width, GLsizei height)
+{
+    note("glScissor", {double(x), double(y), double(width), double(height)});
+}
 void gluPerspective(GLdouble fovy, GLdouble aspect, GLdouble z_near, GLdouble z_far)
 {
     note("gluPerspective", {fovy, aspect, z_near, z_far});

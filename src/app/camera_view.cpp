@@ -92,17 +92,17 @@ CameraView camera_view(const State& state, const Assets& assets)
     return view_around(state, state.camera.orbit, state.camera.tilt, state.camera.look);
 }
 
-CameraView side_view(const State& state, Side side)
+CameraView side_view(const State& state, SeenFrom side)
 {
     constexpr double NARROW = 6.0 * pi / 180.0;
     const double heading = state.joints[tank::Joint::heading];
     const glm::dvec3 centre = glm::dvec3(state.x, 0.0, state.z) + turned(state.camera.look, heading);
     const double distance = state.camera.distance * std::tan(0.5 * FIELD_OF_VIEW) / std::tan(0.5 * NARROW);
     // From above the gun points to the left, as it does from the left side.
-    const glm::dvec3 towards_eye = side == Side::front  ? glm::dvec3(0.0, 0.0, 1.0)
-                                   : side == Side::left ? glm::dvec3(1.0, 0.0, 0.0)
+    const glm::dvec3 towards_eye = side == SeenFrom::front  ? glm::dvec3(0.0, 0.0, 1.0)
+                                   : side == SeenFrom::left ? glm::dvec3(1.0, 0.0, 0.0)
                                                         : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 up = side == Side::above ? glm::dvec3(-1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 up = side == SeenFrom::above ? glm::dvec3(-1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     return {.eye = centre + distance * turned(towards_eye, heading),
             .centre = centre,
             .up = turned(up, heading),

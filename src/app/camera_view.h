@@ -27,7 +27,7 @@ struct CameraView
 CameraView camera_view(const State& state, const Assets& assets);
 
 /// Names three sides that a tank is seen from, wherever it heads.
-enum class Side : std::uint8_t
+enum class SeenFrom : std::uint8_t
 {
     front,
     left,
@@ -36,7 +36,7 @@ enum class Side : std::uint8_t
 
 /// Returns a view of the tank from one side, from so far away that all of it is seen nearly in parallel. It
 /// shows as much as camera_view() does at the same distance.
-CameraView side_view(const State& state, Side side);
+CameraView side_view(const State& state, SeenFrom side);
 
 /// Returns how far the eye is from the tank, by which its level of detail goes. Metres.
 double eye_distance(const State& state);

@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 2> FITS = {"average", "smallest"};
 constexpr std::array<std::string_view, 4> DETAILS = {"auto", "high", "low", "both"};
 constexpr std::array<std::string_view, 6> PARTS = {"all",      "body",          "turret",
                                                    "main_gun", "secondary_gun", "wheels"};
-constexpr std::array<std::string_view, 6> AXES = {"off",      "body",          "turret",
-                                                  "main_gun", "secondary_gun", "wheels"};
+constexpr std::array<std::string_view, 7> AXES = {"off",           "body",   "turret", "main_gun",
+                                                  "secondary_gun", "wheels", "moving"};
 
 /// Returns "none" and the names of the presets.
 std::span<const std::string_view> particle_choices()

@@ -138,9 +138,12 @@ struct Frame
 /// How far beside the high tank the low one stands when both are drawn: to +X. Metres.
 constexpr double BESIDE = 5.5;
 
-/// Computes what a state says by itself of its frame: all but spheres, closest points, triangles and
-/// particles, which Simulation::frame() adds. Pure: the same state and assets give the same frame.
-/// The level by distance is that without a memory of the level before.
+/// Returns the axis that a part turns about, where the state has it.
+AxisInFrame axis_of(const State& state, const Assets& assets, tank::Part part);
+
+/// Computes what a state says by itself of its frame: all but spheres, closest points, triangles, particles
+/// and the axis of what moves, which Simulation::frame() adds. Pure: the same state and assets give the same
+/// frame. The level by distance is that without a memory of the level before.
 Frame make_frame(const State& state, const Assets& assets);
 
 } // namespace app

@@ -43,8 +43,12 @@ std::string Simulation::apply(std::string_view name, double value)
 void Simulation::step()
 {
     const State before = state_;
+    const bool has_come_to_rest = motion_.step();
     app::step(state_, *assets_);
     follow(before);
+    if (has_come_to_rest) {
+        ++state_.revision.count;
+    }
     meet();
 }
 
@@ -97,6 +101,11 @@ void Simulation::follow(const State& before)
         update_report(is_asked);
     }
     update_level(is_opened);
+    if (is_opened) {
+        motion_.forget();
+    } else {
+        motion_.follow(before, state_);
+    }
     if (is_opened || state_.particles != before.particles) {
         set_up_particles();
     }

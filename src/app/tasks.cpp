@@ -109,7 +109,7 @@ constexpr Task TASKS[] = {
          "texture, one colour for each part. Turn something: both do the same.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "turn_left", "turn_right",
                   "next_detail"},
-     .link = "heading=-20&orbit=0&tilt=18&distance=14&look_x=2.25&look_y=1.2&look_z=0&detail=both",
+     .link = "heading=-16&orbit=0&tilt=20&distance=14.5&look_x=1.9&look_y=1.2&look_z=0&detail=both",
      .source = "src/scene/draw_tank.cpp"},
     {.kind = TaskKind::task,
      .id = "3.2",
@@ -122,11 +122,12 @@ constexpr Task TASKS[] = {
     {.kind = TaskKind::task,
      .id = "3.3",
      .title = "Switch the level at the threshold",
-     .text = "Beyond the threshold distance the low model is drawn, inside it the high one. Go further and "
-             "come back: each crossing switches once, a little trembling about d does not. To see it switch, "
-             "come near and make that the threshold.",
+     .text =
+         "Beyond the threshold distance the low model is drawn, inside it the high one. Go further and come "
+         "back: each crossing switches once, a little trembling about d does not. Here d is so near that "
+         "the eye sees the switch; the d of task 3.2, which the program begins with, is where it does not.",
      .commands = {"zoom_out", "zoom_in", "next_detail", "note_threshold"},
-     .link = "heading=-30&orbit=0&tilt=0&distance=250&look_z=0",
+     .link = "heading=-30&orbit=0&tilt=0&distance=24&look_z=0&threshold=25",
      .source = "src/lod/level_selector.cpp"},
     {.kind = TaskKind::figure,
      .id = "1",

@@ -6,12 +6,15 @@
 #include "app/pointer.h"
 #include "app/simulation.h"
 #include "app/update.h"
+#include "app/users_tank.h"
 #include "fixtures.h"
+#include "original_set.h"
 #include "tank/part_matrices.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -127,6 +130,31 @@ TEST(Views, TheGunnerLooksAlongTheBarrelFromAboveTheRoof)
         EXPECT_LT(glm::distance(camera.eye, turret), 2.0) << link;
         EXPECT_GT(camera.eye.y - turret.y, 0.7) << link; // the roof is 0.78 m above its ring
         EXPECT_LT(camera.eye.y - turret.y, 1.3) << link;
+    }
+}
+
+TEST(Views, TheGunnerOfAnyTankLooksOutAboveItsRoofAndBesideItsBarrel)
+{
+    for (const float stretch : {1.0f, 1.5f}) { // the lab's own, and one that nobody knows
+        const Files files = original_set({.turret_stretch = stretch});
+        const mesh::Result<UsersTank> tank = read_users_tank(files.views());
+        ASSERT_TRUE(tank);
+        const Assets& assets = tank.value().assets;
+        const State state = state_of("view=gunner&turret=25&gun=3");
+        const CameraView camera = camera_view(state, assets);
+        const tank::PartMatrices matrices = tank::part_matrices(assets.layout, {}, state.joints);
+        const glm::dmat4 turret(matrices.joint(tank::Part::turret));
+        const glm::dmat4 gun(matrices.joint(tank::Part::main_gun));
+        expect_near(forward_of(camera), glm::dvec3(gun[2]), 1e-6);
+        // The made turret's roof, in metres above its mesh's origin; its antennas do not count.
+        const double roof = assets.scale * static_cast<double>(MADE_ROOF);
+        const double mesh_y =
+            turret[3].y + static_cast<double>(assets.layout[tank::Part::turret].mesh_offset.y);
+        EXPECT_NEAR(camera.eye.y, mesh_y + roof, 0.2);
+        const glm::dvec3 from_trunnion = camera.eye - glm::dvec3(gun[3]);
+        EXPECT_LT(glm::dot(from_trunnion, glm::dvec3(gun[0])), -0.3); // to the right of the barrel
+        EXPECT_GT(assets.muzzle.z, 3.0f);
+        EXPECT_LT(glm::length(glm::dvec2(assets.muzzle)), 0.5);
     }
 }
 

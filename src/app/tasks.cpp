@@ -127,7 +127,7 @@ constexpr Task TASKS[] = {
          "back: each crossing switches once, a little trembling about d does not. Here d is so near that "
          "the eye sees the switch; the d of task 3.2, which the program begins with, is where it does not.",
      .commands = {"zoom_out", "zoom_in", "next_detail", "note_threshold"},
-     .link = "heading=-30&orbit=0&tilt=0&distance=15&look_z=0&threshold=16",
+     .link = "heading=-30&orbit=0&tilt=0&distance=20&look_z=0&threshold=21",
      .source = "src/lod/level_selector.cpp"},
     {.kind = TaskKind::figure,
      .id = "1",

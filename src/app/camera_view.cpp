@@ -1,5 +1,6 @@
 #include "app/camera_view.h"
 
+#include "app/fields.h"
 #include "tank/part_matrices.h"
 
 #include <algorithm>
@@ -27,12 +28,13 @@ glm::dvec3 turned(const glm::dvec3& vector, double angle)
     return {c * vector.x + s * vector.z, vector.y, c * vector.z - s * vector.x};
 }
 
-CameraView view_around(const State& state, double orbit, double tilt, const glm::dvec3& look)
+CameraView view_around(const State& state)
 {
     const Camera& camera = state.camera;
-    const glm::dvec3 centre = glm::dvec3(state.x, 0.0, state.z) + look;
-    const double level = std::cos(tilt);
-    const glm::dvec3 towards_eye(level * std::sin(orbit), std::sin(tilt), level * std::cos(orbit));
+    const glm::dvec3 centre = glm::dvec3(state.x, 0.0, state.z) + camera.look;
+    const double level = std::cos(camera.tilt);
+    const glm::dvec3 towards_eye(level * std::sin(camera.orbit), std::sin(camera.tilt),
+                                 level * std::cos(camera.orbit));
     const glm::dvec3 eye = centre + camera.distance * towards_eye;
     // The ground at the lower edge of the window is at least 0.92 of the eye's height deep (cos 22.5
     // degrees), at any tilt; it must not be cut off. A near plane of 1 m keeps a step of 24-bit depth at 400
@@ -46,15 +48,19 @@ CameraView view_around(const State& state, double orbit, double tilt, const glm:
             .far_plane = camera.distance + SEEN_BEHIND};
 }
 
-/// The eye behind the tank is higher than going round it, so that it sees over the turret where the gun
-/// points.
-CameraView view_from_behind(const State& state)
+/// The eye behind the tank is a little higher and further away than going round it, so that it sees over the
+/// turret where the gun points, and the horizon.
+CameraView view_from_behind(State state)
 {
-    constexpr double HIGHER = 9.0 * pi / 180.0;
-    constexpr double HIGHEST = 89.0 * pi / 180.0; // as the field's limit
+    constexpr double HIGHER = 4.0 * pi / 180.0;
+    constexpr double FURTHER = 1.35;
+    Camera& camera = state.camera;
     const double heading = state.joints[tank::Joint::heading];
-    return view_around(state, heading + pi + state.camera.chase,
-                       std::min(state.camera.tilt + HIGHER, HIGHEST), turned(state.camera.look, heading));
+    camera.orbit = heading + pi + camera.chase;
+    camera.tilt = std::min(camera.tilt + HIGHER, field(FieldId::tilt).maximum);
+    camera.distance *= FURTHER;
+    camera.look = turned(camera.look, heading);
+    return view_around(state);
 }
 
 /// The gunner's sight magnifies by what the distance says: at that of the first view it shows 30 degrees.
@@ -89,7 +95,7 @@ CameraView camera_view(const State& state, const Assets& assets)
     case View::four:
         break;
     }
-    return view_around(state, state.camera.orbit, state.camera.tilt, state.camera.look);
+    return view_around(state);
 }
 
 CameraView side_view(const State& state, SeenFrom side)
@@ -101,7 +107,7 @@ CameraView side_view(const State& state, SeenFrom side)
     // From above the gun points to the left, as it does from the left side.
     const glm::dvec3 towards_eye = side == SeenFrom::front  ? glm::dvec3(0.0, 0.0, 1.0)
                                    : side == SeenFrom::left ? glm::dvec3(1.0, 0.0, 0.0)
-                                                        : glm::dvec3(0.0, 1.0, 0.0);
+                                                            : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 up = side == SeenFrom::above ? glm::dvec3(-1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     return {.eye = centre + distance * turned(towards_eye, heading),
             .centre = centre,

@@ -232,6 +232,22 @@ TEST_F(SceneRenderer, DrawsTheSightsCrossOverTheGunnersViewAlone)
     EXPECT_EQ(crosses(app::View::four), 0u);
 }
 
+TEST_F(SceneRenderer, DarkensTheGroundUnderAHullOnlyWhereASolidOneIsDrawn)
+{
+    recording_gl::have_no_stencil(); // no shadow of the sun's then
+    const auto of_surroundings = [&] {
+        const std::vector<ListCall> calls = replay(draw()).list_calls;
+        return std::count_if(calls.begin(), calls.end(),
+                             [this](const ListCall& call) { return !is_of_tank(call); });
+    };
+    const auto with_hull = of_surroundings();
+    state.show.parts = app::PartsShown::turret;
+    EXPECT_EQ(of_surroundings(), with_hull - 1);
+    state.show.parts = app::PartsShown::all;
+    state.show.wireframe = true;
+    EXPECT_EQ(of_surroundings(), with_hull - 1);
+}
+
 TEST_F(SceneRenderer, LeavesTheGroundOutWhenItIsHidden)
 {
     const std::size_t with_ground = replay(draw()).list_calls.size();

@@ -9,6 +9,7 @@ import { showKeys } from "./keys_panel.js";
 import { hideProgress, loadFiles, showProgress } from "./load.js";
 import { dismiss, notify } from "./notices.js";
 import { joinOwnTank } from "./own_tank.js";
+import { namePanes } from "./pane_names.js";
 import { joinPanels } from "./panels.js";
 import { Program } from "./program.js";
 import { joinShareButton } from "./share.js";
@@ -56,6 +57,7 @@ async function start(program) {
   showValues(parts);
   lightHeld(program);
   followStatus(program);
+  namePanes(program);
   // The panels take their room before the first frame, so that nothing jumps.
   joinPanels({ canvas, program, bare, task: /(^|[#&;])(task|figure)=/.test(location.hash) });
   followAddress(program);

@@ -20,7 +20,7 @@ export class TaskEntry {
     this.mark = element("span", "mark");
     this.head = element("a", "head", element("span", "id", task.id), element("h3", "", task.title), this.mark);
     this.head.href = `#${task.link}`;
-    this.live = evidenceList();
+    this.live = evidenceList(parts.commands.get("axis"), parts.act);
     this.verdict = verdictPlace();
     this.found = element("ul", "found");
     const commands = task.commands.map((name) => parts.commands.get(name)).filter(Boolean);
@@ -63,8 +63,8 @@ export class TaskEntry {
   }
 
   /** Shows the live evidence of the state, which is that of the open task. */
-  showEvidence(evidence) {
-    this.live.show(evidence);
+  showEvidence(state) {
+    this.live.show(state);
   }
 
   /** Runs the task's check and shows its verdict. Returns whether it passed, or null without a verdict. */

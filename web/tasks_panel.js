@@ -39,7 +39,7 @@ export function showTasks({ program, layout, act }) {
     const entry = all.find(({ task }) => task.id === (state.task ?? state.figure)) ?? null;
     const isNew = entry !== current;
     if (isNew) open(entry);
-    if (!panel.hidden) current?.showEvidence(state.evidence);
+    if (!panel.hidden) current?.showEvidence(state);
     if (isNew) reveal();
   };
   update();

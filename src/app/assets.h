@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -41,6 +42,8 @@ struct Assets
     mesh::Image texture = {};
     double wheel_radius = 0.0;   ///< metres: how far the wheel's mesh reaches from its axle
     TrackLinks track_links = {}; ///< of the high body's mesh
+    glm::vec3 sight{0.0f};       ///< where the gunner looks out, in the turret's joint frame
+    glm::vec3 muzzle{0.0f};      ///< where the barrel ends, in the main gun's joint frame
     bool has_low_model = true;   ///< else the high one is drawn in its place
     bool is_one_sided = true;    ///< no face is seen from behind; else its back is drawn, too
     double scale = 1.0;          ///< metres for a unit of the files; positions and layouts are in metres
@@ -79,10 +82,8 @@ struct AssetFile
     std::span<const std::uint8_t> bytes;
 };
 
-/// Returns how far the wheel's mesh reaches from its axle. Metres.
-double wheel_radius(const Assets& assets);
-
-/// Works out what follows from the high meshes and the layout: the wheel's radius and the track's links.
+/// Works out what follows from the high meshes and the layout: the wheel's radius, the track's links, the
+/// gunner's sight and the muzzle. Precondition: no mesh but the wheels' is turned by its layout.
 void measure(Assets& assets);
 
 /// Reads the ten meshes and the texture and lays them out by tank::default_layout(). Other files are ignored.

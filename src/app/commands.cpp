@@ -61,7 +61,7 @@ constexpr Command add(std::string_view name, std::string_view title, Group group
 }
 
 constexpr Command press(std::string_view name, std::string_view title, Group group, Keys keys,
-                        std::string (*action)(State&))
+                        std::string (*action)(State&, const Assets&))
 {
     return {.name = name,
             .title = title,
@@ -82,19 +82,19 @@ template <class Chosen> void reset_fields(State& state, Chosen chosen)
     }
 }
 
-std::string reset_view(State& state)
+std::string reset_view(State& state, const Assets&)
 {
     reset_fields(state, [](Group group) { return group == Group::camera; });
     return {};
 }
 
-std::string reset_pose(State& state)
+std::string reset_pose(State& state, const Assets&)
 {
     reset_fields(state, [](Group group) { return group <= Group::tank; });
     return {};
 }
 
-std::string reset_projectile(State& state)
+std::string reset_projectile(State& state, const Assets&)
 {
     reset_fields(state, [](Group group) { return group == Group::projectile; });
     state.shot = {};
@@ -102,14 +102,14 @@ std::string reset_projectile(State& state)
     return {};
 }
 
-std::string release_all(State& state)
+std::string release_all(State& state, const Assets&)
 {
     state.held.reset();
     return {};
 }
 
 /// Goes to the next choice of a field, from the last to the first.
-template <FieldId id> std::string next(State& state)
+template <FieldId id> std::string next(State& state, const Assets&)
 {
     const Field& chosen = field(id);
     const auto count = static_cast<std::int64_t>(chosen.choices.size());
@@ -118,21 +118,21 @@ template <FieldId id> std::string next(State& state)
 }
 
 /// Makes the distance the threshold.
-std::string note_threshold(State& state)
+std::string note_threshold(State& state, const Assets&)
 {
     const Field& threshold_field = field(threshold);
     set_grid_value(threshold_field, state, to_grid(threshold_field, state.camera.distance));
     return {};
 }
 
-std::string print_report(State& state)
+std::string print_report(State& state, const Assets&)
 {
     ++state.revision.prints;
     return {};
 }
 
 /// Opens the next of the tasks whose id begins with `section`, or of the figures, from the last to the first.
-template <TaskKind kind, char section> std::string open_next(State& state)
+template <TaskKind kind, char section> std::string open_next(State& state, const Assets&)
 {
     const std::span<const Task> all = tasks();
     const std::size_t current = state.task.value_or(all.size() - 1);
@@ -181,6 +181,8 @@ constexpr Command OWN_COMMANDS[] = {
     hold("zoom_out", "Go further away", Group::camera, {Key::page_down, Key::minus, Key::keypad_minus},
          {.field = distance, .rate = 1.2, .relative = true}),
     press("reset_view", "Bring the camera back to its first place", Group::camera, {Key::home}, reset_view),
+    press("next_view", "Look from around, from behind, through the gunner's sight, or from four sides",
+          Group::camera, {Key::end}, next<view>),
     press("toggle_ground", "Show or hide the ground", Group::camera, {Key::b}, next<ground>),
     hold("projectile_right", "Move the projectile along +X", Group::projectile, {Key::l},
          of_handle(point_x, 2.0)),

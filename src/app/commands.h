@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/assets.h"
 #include "app/fields.h"
 #include "app/groups.h"
 #include "app/keys.h"
@@ -53,7 +54,8 @@ struct Command
     std::array<Key, 3> keys{};
     std::array<Move, 2> moves{};
     std::size_t move_count = 0;
-    std::string (*press)(State&) = nullptr; ///< for press: returns "", or a sentence when it cannot be done
+    std::string (*press)(State&, const Assets&) =
+        nullptr; ///< for press: returns "", or a sentence when it cannot be done
 
     std::span<const Move> used_moves() const { return {moves.data(), move_count}; }
 };

@@ -24,6 +24,7 @@ constexpr Unit WINDOW_HEIGHTS{.name = "", .decimals = 4, .numerator = 1.0, .deno
 constexpr Unit CHOICE{.name = "", .decimals = 0, .numerator = 1.0, .denominator = 1.0};
 
 constexpr std::array<std::string_view, 2> OFF_ON = {"off", "on"};
+constexpr std::array<std::string_view, 4> VIEWS = {"orbit", "follow", "gunner", "four"};
 constexpr std::array<std::string_view, 5> PROBES = {"none", "point", "segment", "ray", "line"};
 constexpr std::array<std::string_view, 3> HANDLES = {"point", "line_a", "line_b"};
 constexpr std::array<std::string_view, 5> SPHERES = {"off", "penetrated", "whole", "parts", "all"};
@@ -32,8 +33,8 @@ constexpr std::array<std::string_view, 2> FITS = {"average", "smallest"};
 constexpr std::array<std::string_view, 4> DETAILS = {"auto", "high", "low", "both"};
 constexpr std::array<std::string_view, 6> PARTS = {"all",      "body",          "turret",
                                                    "main_gun", "secondary_gun", "wheels"};
-constexpr std::array<std::string_view, 6> AXES = {"off",      "body",          "turret",
-                                                  "main_gun", "secondary_gun", "wheels"};
+constexpr std::array<std::string_view, 7> AXES = {"off",           "body",   "turret", "main_gun",
+                                                  "secondary_gun", "wheels", "moving"};
 
 /// Returns "none" and the names of the presets.
 std::span<const std::string_view> particle_choices()
@@ -210,6 +211,10 @@ std::array<Field, FIELD_COUNT> make_fields()
                     {.minimum = 0.1, .maximum = 10.0, .initial = 1450}, in_camera_look<&glm::dvec3::y>()),
         plain_field(look_z, "look_z", "Look at z", Group::camera, METRES,
                     {.minimum = -20.0, .maximum = 20.0, .initial = 1400}, in_camera_look<&glm::dvec3::z>()),
+        choice_field(view, "view", "View", Group::camera, VIEWS, 0, in_camera<&Camera::view>()),
+        plain_field(chase, "chase", "Off from behind", Group::camera, DEGREES,
+                    {.minimum = -pi, .maximum = pi, .initial = 0, .wraps = true},
+                    in_camera<&Camera::chase>()),
         choice_field(ground, "ground", "Ground", Group::camera, OFF_ON, 1, in_show<&Show::ground>()),
         choice_field(probe, "probe", "Tested", Group::projectile, PROBES, 0,
                      in_projectile<&Projectile::probe>()),
@@ -241,7 +246,7 @@ std::array<Field, FIELD_COUNT> make_fields()
                     {.minimum = -4.0, .maximum = 4.0, .initial = 0},
                     in_projectile<&Projectile::aim, &glm::dvec2::x>()),
         plain_field(aim_y, "aim_y", "Aim up", Group::projectile, WINDOW_HEIGHTS,
-                    {.minimum = -0.5, .maximum = 0.5, .initial = 0},
+                    {.minimum = -4.0, .maximum = 4.0, .initial = 0},
                     in_projectile<&Projectile::aim, &glm::dvec2::y>()),
         choice_field(spheres, "spheres", "Spheres shown", Group::spheres, SPHERES, 1,
                      in_show<&Show::spheres>()),

@@ -29,6 +29,8 @@ enum class FieldId : std::uint8_t
     look_x,
     look_y,
     look_z,
+    view,
+    chase,
     ground,
     probe,
     point_x,
@@ -58,7 +60,7 @@ enum class FieldId : std::uint8_t
     tank,
 };
 
-constexpr std::size_t FIELD_COUNT = 41;
+constexpr std::size_t FIELD_COUNT = 43;
 
 /// Says how a field is written for people, and how fine.
 /// One unit has 10^decimals steps of the grid; a step is numerator / denominator in the state's own unit

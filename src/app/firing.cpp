@@ -3,6 +3,7 @@
 #include "app/camera_view.h"
 #include "app/fields.h"
 #include "app/ticks.h"
+#include "tank/part_matrices.h"
 
 #include <algorithm>
 #include <array>
@@ -153,7 +154,33 @@ bool step_event(State& state)
     return flew;
 }
 
-std::string fire(State& state)
+namespace {
+
+/// Returns from where a shot at an aim goes, and which way. The gun's sight lies beside the barrel: what
+/// leaves the muzzle meets what is seen at the aim so far away.
+struct Way
+{
+    glm::dvec3 from;
+    glm::dvec3 direction;
+};
+
+Way way_to_aim(const State& state, const Assets& assets)
+{
+    constexpr double SIGHTED_IN_AT = 200.0;   // metres
+    constexpr double BEYOND_THE_MUZZLE = 0.3; // outside of the gun's own sphere
+    const CameraView camera = camera_view(state, assets);
+    const glm::dvec3 direction = glm::normalize(direction_through(view_axes(camera), state.projectile.aim));
+    if (state.camera.view != View::gunner) {
+        return {camera.eye, direction};
+    }
+    const tank::PartMatrices matrices =
+        tank::part_matrices(assets.layout, {{state.x, 0.0, state.z}}, state.joints);
+    const glm::dmat4 gun(matrices.joint(tank::Part::main_gun));
+    const glm::dvec3 muzzle(gun * glm::dvec4(assets.muzzle + glm::vec3(0.0f, 0.0f, BEYOND_THE_MUZZLE), 1.0));
+    return {muzzle, glm::normalize(camera.eye + SIGHTED_IN_AT * direction - muzzle)};
+}
+
+std::string fire_along_line(State& state)
 {
     State fired = state;
     put_on_grid(fired);
@@ -165,21 +192,30 @@ std::string fire(State& state)
     return fault;
 }
 
-std::string fire_at_aim(State& state)
+} // namespace
+
+std::string fire(State& state, const Assets& assets)
 {
-    const CameraView camera = camera_view(state);
-    const glm::dvec3 direction = glm::normalize(direction_through(view_axes(camera), state.projectile.aim));
-    const std::optional<Span> span = within_reach(camera.eye, direction);
+    return state.camera.view == View::gunner ? fire_at_aim(state, assets) : fire_along_line(state);
+}
+
+std::string fire_at_aim(State& state, const Assets& assets)
+{
+    if (state.camera.view == View::four) {
+        return std::string(NO_AIM_IN_FOUR_VIEWS);
+    }
+    const Way way = way_to_aim(state, assets);
+    const std::optional<Span> span = within_reach(way.from, way.direction);
     if (!span || span->to - span->from < 0.01) {
         return "The projectile cannot be anywhere on the way that is aimed along.";
     }
     const double end = std::min(span->to, span->from + LONGEST_AIMED_LINE);
     State aimed = state;
     using enum FieldId;
-    set_on_grid(aimed, {line_ax, line_ay, line_az}, camera.eye + span->from * direction);
-    set_on_grid(aimed, {line_bx, line_by, line_bz}, camera.eye + end * direction);
+    set_on_grid(aimed, {line_ax, line_ay, line_az}, way.from + span->from * way.direction);
+    set_on_grid(aimed, {line_bx, line_by, line_bz}, way.from + end * way.direction);
     aimed.projectile.aim = glm::dvec2(0.0);
-    std::string fault = fire(aimed);
+    std::string fault = fire_along_line(aimed);
     if (fault.empty()) {
         state = aimed;
     }

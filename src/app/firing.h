@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/assets.h"
 #include "app/state.h"
 
 #include <glm/vec3.hpp>
@@ -14,13 +15,15 @@ glm::dvec3 position_of(const Shot& shot);
 /// Returns where the projectile is: in flight, or at rest. Metres.
 glm::dvec3 projectile_position(const State& state);
 
-/// Fires the projectile from end A of its line through end B, with the next seed. What matters to a replay is
-/// first put on the grid of links. Returns "", or a sentence: a line of no length has no direction.
-std::string fire(State& state);
+/// Fires the projectile from end A of its line through end B, with the next seed; in the gunner's view at the
+/// aim. What matters to a replay is first put on the grid of links. Returns "", or a sentence: a line of no
+/// length has no direction.
+std::string fire(State& state, const Assets& assets);
 
-/// Lays the line from the eye through the aim, as far as both are where the projectile can be, fires along it
-/// and puts the aim back to the middle. Returns "", or a sentence when that way misses all such places.
-std::string fire_at_aim(State& state);
+/// Lays the line from the eye, in the gunner's view from the muzzle, through the aim, as far as both are
+/// where the projectile can be, fires along it and puts the aim back to the middle. Returns "", or a sentence
+/// when that way misses all such places.
+std::string fire_at_aim(State& state, const Assets& assets);
 
 /// Makes an event the state's, `age` ticks ago, and flies what it has fired: as a link does it.
 /// Returns "", or a sentence when there is nothing to fire along.

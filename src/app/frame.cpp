@@ -29,7 +29,7 @@ Level level_of(const State& state)
     case Detail::low:
         return Level::low;
     case Detail::automatic:
-        return to_app(lod::level_at(state.camera.distance, state.show.threshold));
+        return to_app(lod::level_at(eye_distance(state), state.show.threshold));
     case Detail::high:
     case Detail::both:
         break;
@@ -65,15 +65,36 @@ ProbeInFrame probe_of(const Projectile& projectile)
             .handle = projectile.handle};
 }
 
-AxisInFrame axis_of(const State& state, const Assets& assets)
+AxisInFrame shown_axis(const State& state, const Assets& assets)
 {
     constexpr tank::Part PARTS[] = {tank::Part::body,          tank::Part::body,
                                     tank::Part::turret,        tank::Part::main_gun,
                                     tank::Part::secondary_gun, tank::Part::wheel_left_1};
-    if (state.show.axis == AxisShown::off) {
+    if (state.show.axis == AxisShown::off || state.show.axis == AxisShown::moving) {
         return {};
     }
-    const tank::Part part = PARTS[static_cast<std::size_t>(state.show.axis)];
+    return axis_of(state, assets, PARTS[static_cast<std::size_t>(state.show.axis)]);
+}
+
+/// Divides the window among the views: one, or four as a drawing has them, the side's beside the front's and
+/// that from above below the side's.
+void add_panes(Frame& frame, const State& state)
+{
+    frame.pane_count = 1;
+    frame.panes[0] = {.left = 0, .bottom = 0, .parts = 1, .camera = frame.camera};
+    if (state.camera.view == View::four) {
+        frame.pane_count = 4;
+        frame.panes = {{{.left = 0, .bottom = 1, .parts = 2, .camera = side_view(state, SeenFrom::front)},
+                        {.left = 1, .bottom = 1, .parts = 2, .camera = side_view(state, SeenFrom::left)},
+                        {.left = 1, .bottom = 0, .parts = 2, .camera = side_view(state, SeenFrom::above)},
+                        {.left = 0, .bottom = 0, .parts = 2, .camera = frame.camera}}};
+    }
+}
+
+} // namespace
+
+AxisInFrame axis_of(const State& state, const Assets& assets, tank::Part part)
+{
     const tank::PartMatrices matrices =
         tank::part_matrices(assets.layout, {{state.x, 0.0, state.z}}, state.joints);
     // A turn about the axis does not turn the axis, so the part's own frame has it as its parent's does.
@@ -84,12 +105,12 @@ AxisInFrame axis_of(const State& state, const Assets& assets)
             .direction = glm::normalize(glm::dmat3(joint) * axis)};
 }
 
-} // namespace
-
 Frame make_frame(const State& state, const Assets& assets)
 {
     Frame frame{};
-    frame.camera = camera_view(state);
+    frame.camera = camera_view(state, assets);
+    add_panes(frame, state);
+    frame.reticle = state.camera.view == View::gunner;
     frame.tanks[0] = {.position = {state.x, 0.0, state.z}, .joints = state.joints, .level = level_of(state)};
     frame.tank_count = 1;
     if (state.show.detail == Detail::both) {
@@ -106,7 +127,7 @@ Frame make_frame(const State& state, const Assets& assets)
                   .position = position_of(state.shot),
                   .velocity = state.shot.velocity,
                   .radius = std::max(state.projectile.radius, SMALLEST_DRAWN_RADIUS)};
-    frame.axis = axis_of(state, assets);
+    frame.axis = shown_axis(state, assets);
     frame.threshold = state.show.threshold;
     return frame;
 }

@@ -79,6 +79,16 @@ struct TriangleInFrame
     bool is_inside;                    ///< the probe's point is inside the part's mesh
 };
 
+/// Says what is drawn in a part of the window, which is divided into `parts` columns and as many rows; this
+/// one is `left` columns from the left and `bottom` rows from the bottom.
+struct PaneInFrame
+{
+    int left;
+    int bottom;
+    int parts;
+    CameraView camera;
+};
+
 /// Holds everything that scene/ needs to draw one picture, besides the assets. Without a heap, copied freely;
 /// the particles are views, which last until the Simulation they come from is next changed.
 struct Frame
@@ -86,8 +96,12 @@ struct Frame
     static constexpr std::size_t MOST_TANKS = 2;
     static constexpr std::size_t MOST_SPHERES = 1 + tank::PART_COUNT;
     static constexpr std::size_t MOST_PARTICLES = 5;
+    static constexpr std::size_t MOST_PANES = 4;
 
-    CameraView camera;
+    CameraView camera; ///< of the pane that is drawn; before that of the last one
+    std::array<PaneInFrame, MOST_PANES> panes;
+    std::size_t pane_count;
+    bool reticle; ///< mark what is in the middle of the window
     std::array<TankInFrame, MOST_TANKS> tanks;
     std::size_t tank_count;
     collision::PartSet parts; ///< draw these, by index of the part
@@ -107,6 +121,7 @@ struct Frame
     std::size_t particle_view_count;
     double threshold; ///< metres
 
+    std::span<const PaneInFrame> used_panes() const { return {panes.data(), pane_count}; }
     std::span<const TankInFrame> used_tanks() const { return {tanks.data(), tank_count}; }
     std::span<const SphereInFrame> used_spheres() const { return {spheres.data(), sphere_count}; }
     std::span<const ClosestPointInFrame> used_closest_points() const
@@ -123,9 +138,12 @@ struct Frame
 /// How far beside the high tank the low one stands when both are drawn: to +X. Metres.
 constexpr double BESIDE = 5.5;
 
-/// Computes what a state says by itself of its frame: all but spheres, closest points, triangles and
-/// particles, which Simulation::frame() adds. Pure: the same state and assets give the same frame.
-/// The level by distance is that without a memory of the level before.
+/// Returns the axis that a part turns about, where the state has it.
+AxisInFrame axis_of(const State& state, const Assets& assets, tank::Part part);
+
+/// Computes what a state says by itself of its frame: all but spheres, closest points, triangles, particles
+/// and the axis of what moves, which Simulation::frame() adds. Pure: the same state and assets give the same
+/// frame. The level by distance is that without a memory of the level before.
 Frame make_frame(const State& state, const Assets& assets);
 
 } // namespace app

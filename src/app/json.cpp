@@ -139,6 +139,13 @@ std::string in_hexadecimal(std::uint64_t value)
     return digits;
 }
 
+void write_parts(JsonWriter& json, collision::PartSet parts)
+{
+    json.begin_array();
+    parts.for_each([&](std::size_t part) { json.string(tank::part_name(static_cast<tank::Part>(part))); });
+    json.end_array();
+}
+
 void write_projectile(JsonWriter& json, const Simulation& simulation)
 {
     const State& state = simulation.state();
@@ -154,10 +161,8 @@ void write_projectile(JsonWriter& json, const Simulation& simulation)
     } else {
         json.null();
     }
-    json.key("inside").begin_array();
-    simulation.inside().for_each(
-        [&](std::size_t part) { json.string(tank::part_name(static_cast<tank::Part>(part))); });
-    json.end_array();
+    json.key("inside");
+    write_parts(json, simulation.inside());
     json.key("touches").number(simulation.touches());
     std::uint64_t alight = 0;
     for (const particles::ParticleSystem* system : simulation.sparks().systems()) {
@@ -208,6 +213,8 @@ std::string state_json(const Simulation& simulation)
     write_hits(json, simulation);
     json.end_object();
     write_projectile(json, simulation);
+    json.key("moving");
+    write_parts(json, simulation.moving_parts());
     json.key("evidence").begin_array();
     for (const Fact& fact : facts(simulation)) {
         json.begin_object().key("label").string(fact.label).key("value").string(fact.value).end_object();

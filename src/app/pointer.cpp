@@ -41,9 +41,12 @@ bool is_drawn(Probe probe, Handle handle)
 
 } // namespace
 
-std::optional<Handle> handle_at(const State& state, const glm::dvec2& aim)
+std::optional<Handle> handle_at(const State& state, const Assets& assets, const glm::dvec2& aim)
 {
-    const CameraView camera = camera_view(state);
+    if (state.camera.view == View::four) {
+        return std::nullopt; // the window's middle is none of the views'
+    }
+    const CameraView camera = camera_view(state, assets);
     const ViewAxes axes = view_axes(camera);
     std::optional<Handle> nearest;
     double nearest_distance = NEAR_ENOUGH;
@@ -64,9 +67,12 @@ std::optional<Handle> handle_at(const State& state, const glm::dvec2& aim)
     return nearest;
 }
 
-std::string move_to_aim(State& state)
+std::string move_to_aim(State& state, const Assets& assets)
 {
-    const CameraView camera = camera_view(state);
+    if (state.camera.view == View::four) {
+        return std::string(NO_AIM_IN_FOUR_VIEWS);
+    }
+    const CameraView camera = camera_view(state, assets);
     const ViewAxes axes = view_axes(camera);
     const Handle handle = state.projectile.handle;
     const double depth = glm::dot(place_of(state, handle) - camera.eye, axes.forward);

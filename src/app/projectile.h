@@ -34,8 +34,8 @@ struct Projectile
     glm::dvec3 a{0.0};   ///< where it flies from
     glm::dvec3 b{0.0};   ///< what it flies through
     double speed = 0.0;  ///< m/s, when fired
-    glm::dvec2 aim{0.0}; ///< a place in the window, from its middle to the right and up, in window heights;
-                         ///< commands that use it put it back to the middle
+    glm::dvec2 aim{0.0}; ///< a place in the window, from its middle to the right and up, in heights of what
+                         ///< CameraView::field_of_view spans; commands that use it put it back to the middle
     Probe probe = Probe::none;
     Handle handle = Handle::point;
 

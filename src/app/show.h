@@ -74,6 +74,7 @@ enum class AxisShown : std::uint8_t
     main_gun,
     secondary_gun,
     wheels, ///< the front left one's
+    moving, ///< of the part whose joint moves; none while all rest
 };
 
 /// Holds what of the scene is drawn, and how.

@@ -29,7 +29,7 @@ Simulation::Simulation(const Assets& assets)
 std::string Simulation::apply(const Command& command, double value)
 {
     const State before = state_;
-    std::string fault = app::apply(state_, command, value);
+    std::string fault = app::apply(state_, *assets_, command, value);
     follow(before);
     return fault;
 }
@@ -43,8 +43,12 @@ std::string Simulation::apply(std::string_view name, double value)
 void Simulation::step()
 {
     const State before = state_;
+    const bool has_come_to_rest = motion_.step();
     app::step(state_, *assets_);
     follow(before);
+    if (has_come_to_rest) {
+        ++state_.revision.count;
+    }
     meet();
 }
 
@@ -97,6 +101,11 @@ void Simulation::follow(const State& before)
         update_report(is_asked);
     }
     update_level(is_opened);
+    if (is_opened) {
+        motion_.forget();
+    } else {
+        motion_.follow(before, state_);
+    }
     if (is_opened || state_.particles != before.particles) {
         set_up_particles();
     }
@@ -120,9 +129,11 @@ void Simulation::replay()
     app::begin_event(state_, state_.event.kind, 0);
     state_.tick = 0;
     begin_event();
+    const Camera camera = state_.camera; // a link says where the eye is now, not where it was then
     for (std::uint32_t tick = 0; tick < age; ++tick) {
         step();
     }
+    state_.camera = camera;
 }
 
 /// Begins the contacts and sparks of the state's event.
@@ -148,7 +159,7 @@ void Simulation::set_up_particles()
 
 void Simulation::update_level(bool is_opened)
 {
-    const double distance = state_.camera.distance;
+    const double distance = eye_distance(state_);
     if (is_opened) {
         level_.start(distance, state_.show.threshold);
         level_switches_ = 0;

@@ -7,6 +7,7 @@
 #include "app/hit_log.h"
 #include "app/hit_report.h"
 #include "app/links.h"
+#include "app/motion.h"
 #include "app/sparks.h"
 #include "app/state.h"
 #include "app/tank_spheres.h"
@@ -67,6 +68,9 @@ public:
     const Sparks& sparks() const { return sparks_; }
     const particles::ParticleSystem& shown_particles() const { return particles_; }
 
+    /// Returns the parts whose joints move right now: see Motion::parts().
+    collision::PartSet moving_parts() const { return motion_.parts(assets_->layout); }
+
     /// Returns the level by distance, with its memory, and how often it has switched since the last opening.
     Level level() const;
     std::uint64_t level_switches() const { return level_switches_; }
@@ -101,6 +105,7 @@ private:
     Sparks sparks_;
     particles::ParticleSystem particles_; ///< the preset that is shown
     std::uint64_t touches_ = 0;
+    Motion motion_;
     lod::LevelSelector level_;
     std::uint64_t level_switches_ = 0;
 };

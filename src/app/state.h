@@ -13,18 +13,31 @@
 
 namespace app {
 
+/// Says from where the tank is seen.
+enum class View : std::uint8_t
+{
+    orbit,  ///< from anywhere around it
+    follow, ///< from behind, swinging round with its heading
+    gunner, ///< through the main gun's sight, along its barrel
+    four,   ///< from the front, the side and above, from far away, and as `orbit` has it
+};
+
 /// Holds where the eye is. Angles in radians, lengths in metres.
 /// orbit: 0 has the eye in front of the tank at rest, looking along -Z as the lab's own camera does; positive
 ///        goes anticlockwise seen from above, to the tank's left (+X) first.
 /// tilt: 0 is level with the point looked at, positive is above it.
-/// distance: from the eye to the point looked at.
-/// look: the point looked at, from the tank's position; it follows the tank but does not turn with it.
+/// distance: from the eye to the point looked at. How much the gunner's sight shows goes by it, too.
+/// look: the point looked at, from the tank's position; it follows the tank but turns with it only in
+/// `follow`. chase: how far the eye is from behind the tank in `follow`; positive as in orbit. It goes back
+/// to 0 by itself.
 struct Camera
 {
+    View view = View::orbit;
     double orbit = 0.0;
     double tilt = 0.0;
     double distance = 0.0;
     glm::dvec3 look{0.0};
+    double chase = 0.0;
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };

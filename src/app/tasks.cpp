@@ -24,7 +24,7 @@ constexpr Task TASKS[] = {
              "their limits; the turret and the wheels go all the way round.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "secondary_gun_left",
                   "secondary_gun_right", "wheels_forward", "wheels_backward"},
-     .link = "orbit=62&tilt=12",
+     .link = "orbit=62&tilt=12&axis=moving",
      .source = "src/app/commands.cpp"},
     {.kind = TaskKind::task,
      .id = "1.3",
@@ -109,7 +109,7 @@ constexpr Task TASKS[] = {
          "texture, one colour for each part. Turn something: both do the same.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "turn_left", "turn_right",
                   "next_detail"},
-     .link = "heading=-20&orbit=0&tilt=18&distance=14&look_x=2.25&look_y=1.2&look_z=0&detail=both",
+     .link = "heading=-16&orbit=0&tilt=20&distance=14.5&look_x=1.9&look_y=1.2&look_z=0&detail=both",
      .source = "src/scene/draw_tank.cpp"},
     {.kind = TaskKind::task,
      .id = "3.2",
@@ -122,27 +122,30 @@ constexpr Task TASKS[] = {
     {.kind = TaskKind::task,
      .id = "3.3",
      .title = "Switch the level at the threshold",
-     .text = "Beyond the threshold distance the low model is drawn, inside it the high one. Go further and "
-             "come back: each crossing switches once, a little trembling about d does not. To see it switch, "
-             "come near and make that the threshold.",
+     .text =
+         "Beyond the threshold distance the low model is drawn, inside it the high one. Go further and come "
+         "back: each crossing switches once, a little trembling about d does not. Here d is so near that "
+         "the eye sees the switch; the d of task 3.2, which the program begins with, is where it does not.",
      .commands = {"zoom_out", "zoom_in", "next_detail", "note_threshold"},
-     .link = "heading=-30&orbit=0&tilt=0&distance=250&look_z=0",
+     .link = "heading=-30&orbit=0&tilt=0&distance=20&look_z=0&threshold=21",
      .source = "src/lod/level_selector.cpp"},
     {.kind = TaskKind::figure,
      .id = "1",
      .title = "The tank as wireframe",
-     .text = "The edges of the high model's faces, seen from the front. Go round it to see it from several "
-             "angles.",
-     .commands = {"orbit_left", "orbit_right", "tilt_up", "tilt_down", "toggle_wireframe"},
-     .link = "ground=off&wireframe=on",
-     .source = "src/scene/draw_obj.cpp"},
+     .text =
+         "The edges of the high model's faces, in four viewports: from the front, from the left, from above, "
+         "and in perspective. Go round it, or turn something: all four show it.",
+     .commands = {"orbit_left", "orbit_right", "tilt_up", "turret_left", "gun_up", "toggle_wireframe",
+                  "next_view"},
+     .link = "view=four&ground=off&wireframe=on",
+     .source = "src/scene/scene_renderer.cpp"},
     {.kind = TaskKind::figure,
      .id = "2",
      .title = "The hierarchy of parts",
      .text = "The tree: the body carries the turret and fourteen wheels, the turret carries both guns. Turn "
-             "one and see what comes along.",
+             "one: the tree and its axis show what moves, and what comes along.",
      .commands = {"turn_left", "turret_left", "gun_up", "secondary_gun_left", "wheels_forward", "next_axis"},
-     .link = "turret=50&gun=10&secondary_gun=-40&orbit=30&tilt=35&distance=13&axis=turret",
+     .link = "turret=50&gun=10&secondary_gun=-40&orbit=30&tilt=35&distance=13&axis=moving",
      .source = "src/tank/layout.cpp"},
     {.kind = TaskKind::figure,
      .id = "3",

@@ -36,25 +36,44 @@ double grown_times(double value, double growth, double times)
     return grown(value, towards * (size - whole));
 }
 
-/// Returns the field that a move is about: the commands for the point are also those for the line's ends.
-const Field& moved_field(const State& state, const Move& move)
+/// Says which field a move is about in a state, and how many times its rate.
+struct Moved
 {
+    const Field& field;
+    double factor = 1.0;
+};
+
+/// The commands for the point are also those for the line's ends, and those that go round the tank turn what
+/// is looked through: behind the tank that about it, at the sight the turret and the gun, so that a drag
+/// takes the picture along and no handwheel is faster than the keys of the turret.
+Moved moved_by(const State& state, const Move& move)
+{
+    if (state.camera.view == View::follow && move.field == FieldId::orbit) {
+        return {field(FieldId::chase)};
+    }
+    if (state.camera.view == View::gunner && move.field == FieldId::orbit) {
+        return {field(FieldId::turret), -0.3};
+    }
+    if (state.camera.view == View::gunner && move.field == FieldId::tilt) {
+        return {field(FieldId::main_gun), 0.3};
+    }
     if (!move.of_handle) {
-        return field(move.field);
+        return {field(move.field)};
     }
     // The coordinates of the point and of both ends are rows of the table in this order, each x, y, z.
     const auto axis = static_cast<std::size_t>(move.field) - static_cast<std::size_t>(FieldId::point_x);
     constexpr FieldId FIRST[] = {FieldId::point_x, FieldId::line_ax, FieldId::line_bx};
     const FieldId first = FIRST[static_cast<std::size_t>(state.projectile.handle)];
-    return fields()[static_cast<std::size_t>(first) + axis];
+    return {fields()[static_cast<std::size_t>(first) + axis]};
 }
 
 void add(State& state, const Move& move, double amount)
 {
-    const Field& target = moved_field(state, move);
+    const auto [target, factor] = moved_by(state, move);
     const double old = target.get(state);
     const double bounded = std::clamp(amount, -LARGEST_AMOUNT, LARGEST_AMOUNT);
-    const double moved = move.relative ? grown_times(old, move.rate, bounded) : old + bounded * move.rate;
+    const double moved =
+        move.relative ? grown_times(old, move.rate, bounded) : old + bounded * move.rate * factor;
     target.set(state, within_limits(target, moved));
 }
 
@@ -70,6 +89,23 @@ void end_event_if_changed(const State& before, State& state)
             return;
         }
     }
+}
+
+/// Lets the eye behind the tank stay where it is while the tank turns away under it, and swing back: by so
+/// much of the way each second. heading: before this tick. Returns whether it moved.
+bool swing_behind(State& state, double heading)
+{
+    constexpr double SHARE_PER_SECOND = 1.8;
+    if (state.camera.view != View::follow) {
+        return false;
+    }
+    const Field& chase = field(FieldId::chase);
+    const double old = chase.get(state);
+    const double left_behind = within_limits(chase, old + heading - state.joints[tank::Joint::heading]);
+    const double swung = left_behind * (1.0 - SHARE_PER_SECOND / TICKS_PER_SECOND);
+    // What no link can say is no swing any more: the picture comes to rest.
+    chase.set(state, to_grid(chase, swung) == 0 ? 0.0 : swung);
+    return chase.get(state) != old;
 }
 
 bool has_begun_anew(const State& before, const State& after)
@@ -92,7 +128,7 @@ std::string faulty_value(const Command& command, double value)
 
 } // namespace
 
-std::string apply(State& state, const Command& command, double value)
+std::string apply(State& state, const Assets& assets, const Command& command, double value)
 {
     if (std::string fault = faulty_value(command, value); !fault.empty()) {
         return fault;
@@ -104,7 +140,7 @@ std::string apply(State& state, const Command& command, double value)
         break;
     case CommandKind::press:
         if (value == 1.0) {
-            if (std::string fault = command.press(state); !fault.empty()) {
+            if (std::string fault = command.press(state, assets); !fault.empty()) {
                 state = before;
                 return fault;
             }
@@ -132,13 +168,13 @@ std::string apply(State& state, const Command& command, double value)
     return {};
 }
 
-std::string apply(State& state, std::string_view name, double value)
+std::string apply(State& state, const Assets& assets, std::string_view name, double value)
 {
     const Command* command = find_command(name);
     if (command == nullptr) {
         return "There is no command " + in_quotes(name) + ".";
     }
-    return apply(state, *command, value);
+    return apply(state, assets, *command, value);
 }
 
 void step(State& state, const Assets& assets)
@@ -157,13 +193,14 @@ void step(State& state, const Assets& assets)
                 forward += move.field == FieldId::z ? move.rate : 0.0; // x goes along
                 continue;
             }
-            const auto row = static_cast<std::size_t>(moved_field(state, move).id);
-            (move.relative ? growths : rates)[row] += move.rate;
+            const auto [moved, factor] = moved_by(state, move);
+            (move.relative ? growths : rates)[static_cast<std::size_t>(moved.id)] += move.rate * factor;
         }
     }
     if (forward != 0.0 || rates[static_cast<std::size_t>(FieldId::heading)] != 0.0) {
         add_driving(rates, state, assets, forward);
     }
+    const double heading = state.joints[tank::Joint::heading];
     bool changed = false;
     for (const Field& field : fields()) {
         const double rate = rates[static_cast<std::size_t>(field.id)];
@@ -180,6 +217,9 @@ void step(State& state, const Assets& assets)
                 state.event = {};
             }
         }
+    }
+    if (rates[static_cast<std::size_t>(FieldId::chase)] == 0.0) {
+        changed |= swing_behind(state, heading);
     }
     changed |= step_event(state);
     ++state.tick;

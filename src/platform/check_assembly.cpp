@@ -33,12 +33,12 @@ constexpr Pose POSES[] = {
       {"secondary_gun", -40.0}}},
 };
 
-app::State state_of(const Pose& pose)
+app::State state_of(const CheckSubject& subject, const Pose& pose)
 {
     app::State state;
     for (const auto& setting : pose.settings) {
         if (!setting.command.empty()) {
-            app::apply(state, setting.command, setting.value);
+            app::apply(state, subject.assets, setting.command, setting.value);
         }
     }
     return state;
@@ -55,7 +55,7 @@ PartSet missing(const PartCalls& calls)
 
 void check_pose(const CheckSubject& subject, const Pose& pose, Evidence& evidence)
 {
-    const app::State state = state_of(pose);
+    const app::State state = state_of(subject, pose);
     const FrameCapture capture = capture_frame(subject, state);
     const PartCalls calls = find_part_calls(subject, capture, state);
     const std::string where = "The tank " + std::string(pose.name);
@@ -102,7 +102,7 @@ bool has_scope_of(const FrameCapture& capture, const PartCalls& calls, Part part
 
 void check_nesting(const CheckSubject& subject, Evidence& evidence)
 {
-    const app::State state = state_of(POSES[1]);
+    const app::State state = state_of(subject, POSES[1]);
     const FrameCapture capture = capture_frame(subject, state);
     const PartCalls calls = find_part_calls(subject, capture, state);
     evidence.require(capture.matrix_stack_balanced, "Every glPushMatrix of the frame has its glPopMatrix.",
@@ -128,7 +128,7 @@ PartSet moved_by(const CheckSubject& subject, std::string_view command, double v
 {
     const app::State before;
     app::State after = before;
-    app::apply(after, command, value);
+    app::apply(after, subject.assets, command, value);
     const FrameCapture capture = capture_frame(subject, after);
     return missing(find_part_calls(subject, capture, before));
 }

@@ -52,11 +52,11 @@ const app::Command* key_command(app::FieldId field, double sign)
 
 void hold(const CheckSubject& subject, app::State& state, const app::Command& command, int ticks)
 {
-    app::apply(state, command, 1.0);
+    app::apply(state, subject.assets, command, 1.0);
     for (int tick = 0; tick < ticks; ++tick) {
         app::step(state, subject.assets);
     }
-    app::apply(state, command, 0.0);
+    app::apply(state, subject.assets, command, 0.0);
 }
 
 /// Tells whether the angle went the way of `sign`; round the back counts as the short way.

@@ -1,9 +1,11 @@
 #include "app/simulation.h"
+#include "platform/check_picture.h"
 #include "platform/check_text.h"
 #include "platform/drawn_vertices.h"
 #include "platform/lab_3_checks.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -100,6 +102,34 @@ std::size_t high_corners(const FrameCapture& capture)
     return corners;
 }
 
+/// Returns how many draw calls the tank of a level takes by itself: without ground, markers and the other
+/// one.
+std::uint64_t draw_calls_of(const CheckSubject& subject, std::string_view level)
+{
+    const auto draw_calls = [&](const app::Frame& frame) {
+        const std::uint64_t before = legacygl_counters(legacygl_current()).draw_calls;
+        picture_of(subject, frame);
+        return legacygl_counters(legacygl_current()).draw_calls - before;
+    };
+    app::Simulation simulation(subject.assets);
+    simulation.open_link("ground=off&detail=" + std::string(level));
+    app::Frame frame = simulation.frame();
+    const std::uint64_t with_tank = draw_calls(frame);
+    frame.tank_count = 0;
+    return with_tank - draw_calls(frame);
+}
+
+void check_draw_calls(const CheckSubject& subject, Evidence& evidence)
+{
+    constexpr std::uint64_t MOST = 25;
+    const std::uint64_t high = draw_calls_of(subject, "high");
+    const std::uint64_t low = draw_calls_of(subject, "low");
+    const std::string counts =
+        std::to_string(high) + " draw calls for the high tank, " + std::to_string(low) + " for the low one";
+    evidence.require(high > 0 && high <= MOST && low > 0 && low <= MOST, "It takes " + counts + ".",
+                     "It takes " + counts + "; " + std::to_string(MOST) + " have to be enough.");
+}
+
 void check_drawing(const CheckSubject& subject, Evidence& evidence)
 {
     app::Simulation simulation(subject.assets);
@@ -131,6 +161,7 @@ void check_low_tank(const CheckSubject& subject, Evidence& evidence)
         check_pose(subject, pose, evidence);
     }
     check_drawing(subject, evidence);
+    check_draw_calls(subject, evidence);
 }
 
 } // namespace platform

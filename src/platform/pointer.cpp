@@ -1,5 +1,6 @@
 #include "platform/pointer.h"
 
+#include "app/camera_view.h"
 #include "app/commands.h"
 #include "app/pointer.h"
 
@@ -12,11 +13,12 @@ namespace {
 /// A hand that clicks may tremble so far, in points.
 constexpr int CLICK_REACH = 3;
 
-/// Returns a place in the window as an aim: from the middle to the right and up, in window heights.
+/// Returns a place in the window as an aim: see app::Projectile.
 glm::dvec2 aim_at(int x, int y, WindowSize window)
 {
     const double height = window.height;
-    return {(x + 0.5 - 0.5 * window.width) / height, 0.5 - (y + 0.5) / height};
+    return app::heightening(window.width / height) *
+           glm::dvec2((x + 0.5 - 0.5 * window.width) / height, 0.5 - (y + 0.5) / height);
 }
 
 /// Aims, and does what is done by the aim.
@@ -34,7 +36,8 @@ void Pointer::press(const SDL_MouseButtonEvent& event, WindowSize window, app::S
     pressed_x_ = event.x;
     pressed_y_ = event.y;
     drag_ = Drag::click;
-    if (const auto handle = app::handle_at(simulation.state(), aim_at(event.x, event.y, window))) {
+    if (const auto handle =
+            app::handle_at(simulation.state(), simulation.assets(), aim_at(event.x, event.y, window))) {
         simulation.apply("handle", static_cast<double>(*handle));
         drag_ = Drag::handle;
     }

@@ -24,4 +24,16 @@ void draw_obj(const mesh::ObjMesh& obj)
     glEnd();
 }
 
+void draw_shape(const mesh::ObjMesh& obj)
+{
+    glBegin(GL_TRIANGLES);
+    for (const mesh::Face& face : obj.faces) {
+        for (const mesh::FaceVertex& corner : face.vertices) {
+            const glm::vec3& position = obj.positions[corner.position];
+            glVertex3f(position.x, position.y, position.z);
+        }
+    }
+    glEnd();
+}
+
 } // namespace scene

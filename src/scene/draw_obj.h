@@ -10,4 +10,7 @@ namespace scene {
 /// Meant to be compiled into a display list.
 void draw_obj(const mesh::ObjMesh& obj);
 
+/// Draws a mesh's faces by their positions alone, for where neither light nor texture matters.
+void draw_shape(const mesh::ObjMesh& obj);
+
 } // namespace scene

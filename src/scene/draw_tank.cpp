@@ -38,6 +38,11 @@ void TankDrawing::draw_tank_low(float x, float y, float z) const
     glColor3ub(255, 255, 255);
 }
 
+void TankDrawing::draw_tank_shape(float x, float y, float z) const
+{
+    draw_at(x, y, z, [this](tank::MeshKind mesh) { glCallList(lists_.shape_list(mesh)); });
+}
+
 template <class DrawMesh>
 void TankDrawing::draw_at(float x, float y, float z, const DrawMesh& draw_mesh) const
 {

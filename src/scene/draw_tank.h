@@ -29,6 +29,9 @@ public:
     /// afterwards, and the current colour is white.
     void draw_tank_low(float x, float y, float z) const;
 
+    /// Draws the tank's shapes in the same way, in the current colour: for its shadow.
+    void draw_tank_shape(float x, float y, float z) const;
+
 private:
     void draw_links(app::Side side, tank::Joint wheels) const;
     template <class DrawMesh> void draw_at(float x, float y, float z, const DrawMesh& draw_mesh) const;

@@ -9,7 +9,7 @@ constexpr GLenum SUN = GL_LIGHT0;
 constexpr GLenum SKY_LIGHT = GL_LIGHT1;
 
 // The fourth component 0 makes a direction of a position: it points to the light.
-constexpr GLfloat TO_SUN[] = {0.55f, 0.75f, 0.45f, 0.0f};
+constexpr GLfloat SUN_POSITION[] = {TO_SUN.x, TO_SUN.y, TO_SUN.z, 0.0f};
 constexpr GLfloat TO_SKY_LIGHT[] = {-0.6f, 0.35f, -0.5f, 0.0f};
 
 constexpr GLfloat SUN_COLOUR[] = {0.95f, 0.90f, 0.80f, 1.0f};
@@ -35,7 +35,7 @@ void set_up_lights()
 
 void place_lights()
 {
-    glLightfv(SUN, GL_POSITION, TO_SUN);
+    glLightfv(SUN, GL_POSITION, SUN_POSITION);
     glLightfv(SKY_LIGHT, GL_POSITION, TO_SKY_LIGHT);
 }
 

@@ -38,6 +38,7 @@ public:
     const Shapes& shapes() const { return shapes_; }
 
 private:
+    void draw_view(const app::Frame& frame, int width, int height) const;
     void draw_tanks(const app::Frame& frame) const;
 
     const app::Assets* assets_ = nullptr;

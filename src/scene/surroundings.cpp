@@ -67,6 +67,9 @@ void Surroundings::draw_ground(const app::Frame& frame) const
     const Blended blended;
     draw_earth_under(frame.camera);
     draw_grids(frame);
+    if (frame.wireframe || !frame.parts.contains(tank::index_of(tank::Part::body))) {
+        return; // no hull stands over the ground
+    }
     for (const app::TankInFrame& tank : frame.used_tanks()) {
         const PushedMatrix matrix;
         glTranslated(tank.position.x, tank.position.y, tank.position.z);

@@ -1,7 +1,5 @@
 #include "scene/tank_lists.h"
 
-#include "scene/draw_obj.h"
-
 #include <GL/gl.h>
 
 namespace scene {
@@ -21,14 +19,14 @@ bool rename_lists(GLuint& first, GLsizei count)
 
 } // namespace
 
-bool TankLists::load(const Meshes& objs, unsigned& first_list)
+bool TankLists::load(const Meshes& objs, unsigned& first_list, void (*draw)(const mesh::ObjMesh&))
 {
     if (!rename_lists(first_list, LIST_COUNT)) {
         return false;
     }
     for (unsigned i = 0; i < objs.size(); ++i) {
         glNewList(first_list + i, GL_COMPILE);
-        draw_obj(objs[i]);
+        draw(objs[i]);
         glEndList();
     }
     return true;
@@ -42,12 +40,12 @@ bool TankLists::load_tank_objs(const Meshes& objs, const app::TrackLinks& links)
     }
     links_ = links;
     if (!links.any()) {
-        return load(objs, first_list_);
+        return load(objs, first_list_, draw_obj);
     }
     const std::size_t body = tank::index_of(tank::MeshKind::body);
     Meshes resting = objs;
     resting[body] = app::without_links(objs[body], links);
-    return load(resting, first_list_) && load_links(objs[body]);
+    return load(resting, first_list_, draw_obj) && load_links(objs[body]);
 }
 
 bool TankLists::load_links(const mesh::ObjMesh& body)

@@ -2,15 +2,17 @@
 
 #include "app/track_links.h"
 #include "mesh/obj_mesh.h"
+#include "scene/draw_obj.h"
 #include "tank/part.h"
 
 #include <array>
 
 namespace scene {
 
-/// The display lists of the tank's five meshes, and those of the five low-detail ones; for a body whose
-/// tracks have links, a list more for each side and step of a link's way to the next one's place, because a
-/// list cannot change. They belong to the context that was current when they were compiled, and go with it.
+/// The display lists of the tank's five meshes, those of the five low-detail ones, and those of the five
+/// shapes that throw its shadow; for a body whose tracks have links, a list more for each side and step of a
+/// link's way to the next one's place, because a list cannot change. They belong to the context that was
+/// current when they were compiled, and go with it.
 class TankLists
 {
 public:
@@ -23,7 +25,10 @@ public:
 
     /// Does the same with the meshes of the low-detail tank, into lists of their own; their tracks are one
     /// piece.
-    bool load_low_detail_tank_objs(const Meshes& objs) { return load(objs, first_low_list_); }
+    bool load_low_detail_tank_objs(const Meshes& objs) { return load(objs, first_low_list_, draw_obj); }
+
+    /// Does the same with the meshes whose shadow is drawn: their corners alone.
+    bool load_shapes(const Meshes& objs) { return load(objs, first_shape_list_, draw_shape); }
 
     /// Returns the name of a mesh's display list; 0 before load_tank_objs.
     unsigned list(tank::MeshKind mesh) const { return list_after(first_list_, mesh); }
@@ -38,13 +43,16 @@ public:
     /// Returns that of the low-detail mesh; 0 before load_low_detail_tank_objs.
     unsigned low_list(tank::MeshKind mesh) const { return list_after(first_low_list_, mesh); }
 
+    /// Returns that of the shape that throws the mesh's shadow; 0 before load_shapes.
+    unsigned shape_list(tank::MeshKind mesh) const { return list_after(first_shape_list_, mesh); }
+
 private:
     /// A step of a link's way is some two centimetres then, which is less than the tank moves between two
     /// pictures at any but a crawling speed.
     static constexpr unsigned PHASES = 10;
     static constexpr unsigned TRACK_LIST_COUNT = app::SIDE_COUNT * PHASES;
 
-    static bool load(const Meshes& objs, unsigned& first_list);
+    static bool load(const Meshes& objs, unsigned& first_list, void (*draw)(const mesh::ObjMesh&));
     bool load_links(const mesh::ObjMesh& body);
     static unsigned list_after(unsigned first_list, tank::MeshKind mesh)
     {
@@ -53,6 +61,7 @@ private:
 
     unsigned first_list_ = 0;
     unsigned first_low_list_ = 0;
+    unsigned first_shape_list_ = 0;
     unsigned first_track_list_ = 0; ///< the left side's phases, then the right one's
     app::TrackLinks links_;
 };

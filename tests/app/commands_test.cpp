@@ -1,5 +1,7 @@
 #include "app/commands.h"
 
+#include "fixtures.h"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
@@ -72,7 +74,7 @@ TEST(CommandsTest, EveryChoiceHasAKeyThatGoesThroughAllOfThem)
             std::set<std::int64_t> seen;
             for (std::size_t i = 0; i < field.choices.size(); ++i) {
                 seen.insert(grid_value(field, state));
-                ASSERT_EQ(command.press(state), "");
+                ASSERT_EQ(command.press(state, tiny_assets()), "");
             }
             found = found || (seen.size() == field.choices.size() && state == State());
         }

@@ -278,7 +278,7 @@ TEST(FiringTest, AimingFiresFromTheEyeThroughThePlaceInTheWindow)
         open(simulation, "orbit=70&tilt=25&distance=30");
         simulation.apply("aim_x", aim.x);
         simulation.apply("aim_y", aim.y);
-        const CameraView camera = camera_view(simulation.state());
+        const CameraView camera = camera_view(simulation.state(), simulation.assets());
         const ViewAxes axes = view_axes(camera);
         ASSERT_EQ(simulation.apply("fire_at_aim", 1.0), "");
         const Projectile& projectile = simulation.state().projectile;
@@ -304,7 +304,7 @@ TEST(FiringTest, DraggingMovesTheHandleUnderThePointer)
 {
     Simulation simulation(own_assets());
     open(simulation, "probe=point&point_x=1&orbit=30&distance=12");
-    const CameraView camera = camera_view(simulation.state());
+    const CameraView camera = camera_view(simulation.state(), simulation.assets());
     const ViewAxes axes = view_axes(camera);
     const auto seen = [&] {
         const glm::dvec3 from_eye = simulation.state().projectile.point - camera.eye;
@@ -313,8 +313,10 @@ TEST(FiringTest, DraggingMovesTheHandleUnderThePointer)
                           glm::dot(from_eye, axes.forward));
     };
     const glm::dvec3 start = seen();
-    EXPECT_EQ(handle_at(simulation.state(), glm::dvec2(start) + glm::dvec2(0.01, 0.0)), Handle::point);
-    EXPECT_FALSE(handle_at(simulation.state(), glm::dvec2(start) + glm::dvec2(0.1, 0.0)));
+    EXPECT_EQ(handle_at(simulation.state(), simulation.assets(), glm::dvec2(start) + glm::dvec2(0.01, 0.0)),
+              Handle::point);
+    EXPECT_FALSE(
+        handle_at(simulation.state(), simulation.assets(), glm::dvec2(start) + glm::dvec2(0.1, 0.0)));
     simulation.apply("aim_x", start.x + 0.1);
     simulation.apply("aim_y", start.y + 0.05);
     ASSERT_EQ(simulation.apply("move_to_aim", 1.0), "");
@@ -322,7 +324,7 @@ TEST(FiringTest, DraggingMovesTheHandleUnderThePointer)
     EXPECT_NEAR(seen().y, start.y + 0.05, 1e-4);
     EXPECT_NEAR(seen().z, start.z, 1e-9);
     open(simulation, "probe=segment");
-    EXPECT_FALSE(handle_at(simulation.state(), glm::dvec2(9.0)));
+    EXPECT_FALSE(handle_at(simulation.state(), simulation.assets(), glm::dvec2(9.0)));
 }
 
 TEST(FiringTest, LevelsSwitchExactlyOnceACrossing)

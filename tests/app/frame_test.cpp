@@ -97,14 +97,20 @@ TEST(FrameTest, TheNearPlaneCutsNeitherGroundNorTankOff)
 {
     std::mt19937_64 random(37);
     for (int i = 0; i < 5000; ++i) {
-        const State state = random_state(random);
-        const CameraView camera = make_frame(state, tiny_assets()).camera;
-        // The lower edge of the window meets the ground at this depth along the line of sight.
-        const double half = camera.field_of_view / 2.0;
-        const double ground_depth = camera.eye.y * std::cos(half) / std::sin(state.camera.tilt + half);
-        ASSERT_LE(camera.near_plane, ground_depth);
-        ASSERT_LE(camera.near_plane, 0.05 * state.camera.distance + 1e-12);
-        ASSERT_GE(camera.far_plane, state.camera.distance + 100.0);
+        const Frame frame = make_frame(random_state(random), tiny_assets());
+        for (const PaneInFrame& pane : frame.used_panes()) {
+            const CameraView& camera = pane.camera;
+            const double distance = glm::distance(camera.eye, camera.centre);
+            const double tilt = std::asin((camera.eye.y - camera.centre.y) / distance);
+            // The lower edge of the window meets the ground at this depth along the line of sight; a gunner
+            // may look up so far that it does not.
+            const double half = camera.field_of_view / 2.0;
+            if (tilt + half > 0.0) {
+                ASSERT_LE(camera.near_plane, camera.eye.y * std::cos(half) / std::sin(tilt + half));
+            }
+            ASSERT_LE(camera.near_plane, 0.05 * distance + 1e-12);
+            ASSERT_GE(camera.far_plane, distance + 100.0);
+        }
     }
 }
 

@@ -25,7 +25,7 @@ TEST(JsonTest, StateHasEveryFieldInUnitsForPeople)
 {
     State state;
     open_link(state, "task=1.2&turret=-30.25&distance=40&ground=off");
-    apply(state, "gun_up", 1.0);
+    apply(state, tiny_assets(), "gun_up", 1.0);
     step(state, tiny_assets());
     const JsonValue json = parsed(state_json(state, &tiny_assets()));
     for (const Field& field : fields()) {

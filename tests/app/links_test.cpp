@@ -76,7 +76,7 @@ TEST(LinksTest, StatesReachedByKeysRoundTripToo)
         const bool is_switch = command.kind == CommandKind::hold || command.kind == CommandKind::press;
         const double amount =
             is_switch ? static_cast<double>(random() % 2) : next_unit(random) * 400.0 - 200.0;
-        const std::string fault = apply(state, command, amount);
+        const std::string fault = apply(state, tiny_assets(), command, amount);
         ASSERT_TRUE(fault.empty() || command.group == Group::projectile) << fault; // nothing in that way
         step(state, tiny_assets());
         State back;
@@ -232,7 +232,7 @@ TEST(LinksTest, OfTwoTasksTheLastIsUsed)
 TEST(LinksTest, OpeningReplacesEverythingAndCountsARevision)
 {
     State state;
-    apply(state, "turret_left", 1.0);
+    apply(state, tiny_assets(), "turret_left", 1.0);
     step(state, tiny_assets());
     const std::uint64_t revision = state.revision.count;
     EXPECT_TRUE(open_link(state, "gun=5").messages.empty());

@@ -25,7 +25,7 @@ void steps(State& state, int count)
 
 void expect_done(State& state, std::string_view name, double value)
 {
-    EXPECT_EQ(apply(state, name, value), "") << name;
+    EXPECT_EQ(apply(state, tiny_assets(), name, value), "") << name;
 }
 
 /// What moves the tank on the ground rolls its wheels, too: driving_test.cpp.
@@ -191,8 +191,8 @@ TEST(UpdateTest, UnknownNamesGiveASentenceAndChangeNothing)
 {
     State state;
     const State start = state;
-    EXPECT_EQ(apply(state, "turet", 1.0), "There is no command \"turet\".");
-    EXPECT_EQ(apply(state, "", 1.0), "There is no command \"\".");
+    EXPECT_EQ(apply(state, tiny_assets(), "turet", 1.0), "There is no command \"turet\".");
+    EXPECT_EQ(apply(state, tiny_assets(), "", 1.0), "There is no command \"\".");
     EXPECT_EQ(state, start);
     EXPECT_EQ(state.revision.count, start.revision.count);
 }
@@ -203,10 +203,10 @@ TEST(UpdateTest, NotANumberAndInfinityAreRefusedByEveryCommand)
         State state;
         const State start = state;
         const std::string name(command.name);
-        EXPECT_EQ(apply(state, command, std::nan("")), name + " needs a number, not NaN.");
-        EXPECT_EQ(apply(state, command, std::numeric_limits<double>::infinity()),
+        EXPECT_EQ(apply(state, tiny_assets(), command, std::nan("")), name + " needs a number, not NaN.");
+        EXPECT_EQ(apply(state, tiny_assets(), command, std::numeric_limits<double>::infinity()),
                   name + " needs a number, not infinity.");
-        EXPECT_NE(apply(state, command, -std::numeric_limits<double>::infinity()), "");
+        EXPECT_NE(apply(state, tiny_assets(), command, -std::numeric_limits<double>::infinity()), "");
         EXPECT_EQ(state, start);
         EXPECT_EQ(state.revision.count, start.revision.count);
     }
@@ -216,9 +216,9 @@ TEST(UpdateTest, HoldsAndPressesTakeOnlyOneAndZero)
 {
     State state;
     const State start = state;
-    EXPECT_NE(apply(state, "turret_left", 0.5), "");
-    EXPECT_NE(apply(state, "turret_left", -1.0), "");
-    EXPECT_NE(apply(state, "reset_view", 2.0), "");
+    EXPECT_NE(apply(state, tiny_assets(), "turret_left", 0.5), "");
+    EXPECT_NE(apply(state, tiny_assets(), "turret_left", -1.0), "");
+    EXPECT_NE(apply(state, tiny_assets(), "reset_view", 2.0), "");
     EXPECT_EQ(state, start);
     expect_done(state, "toggle_ground", 0.0); // the key coming up
     EXPECT_EQ(state, start);

@@ -50,9 +50,9 @@ macro(tanklab_for_each_mutant)
     [=[glRotatef(degrees(joints_[placement.joint]),]=]
     [=[glRotatef((part >= tank::Part::wheel_left_1 ? -1.0f : 1.0f) * degrees(joints_[placement.joint]),]=])
   tanklab_mutant(1.3a scene/tank_lists.cpp "The list of one mesh is empty."
-    [=[        draw_obj(objs[i]);]=]
+    [=[        draw(objs[i]);]=]
     [=[        if (i != 3) {
-            draw_obj(objs[i]);
+            draw(objs[i]);
         }]=])
   tanklab_mutant(1.3b scene/scene_renderer.cpp "The lists are compiled anew for every frame."
     [=[    use_tank_material();]=]

@@ -9,7 +9,7 @@ const SMALL = { width: 320, height: 200 }; // quickly drawn
 const CHOICES = {
   next_tank: "tank",
   toggle_ground: "ground", next_handle: "handle", next_probe: "probe", next_spheres: "spheres", next_fit: "fit", toggle_triangles: "triangles",
-  next_particles: "particles", next_detail: "detail", next_parts: "parts", next_axis: "axis", toggle_wireframe: "wireframe",
+  next_particles: "particles", next_detail: "detail", next_parts: "parts", next_axis: "axis", toggle_wireframe: "wireframe", next_view: "view",
 };
 
 /** Returns a table of what the other keys do: from (a link to press them in), and done(before, after, fields). */

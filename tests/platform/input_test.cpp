@@ -207,7 +207,7 @@ TEST_F(Input, FiresThroughThePointerByAClickEvenOfATremblingHand)
     ASSERT_TRUE(state.shot.flies);
 
     // The way of the shot, seen from the eye, goes through the pixel under the pointer.
-    const app::CameraView camera = app::camera_view(state);
+    const app::CameraView camera = app::camera_view(state, simulation.assets());
     const app::ViewAxes axes = app::view_axes(camera);
     const glm::dvec3 far = state.shot.origin + state.shot.velocity - camera.eye;
     const double depth = glm::dot(far, axes.forward) * axes.heights_per_depth;

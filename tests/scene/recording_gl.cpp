@@ -18,6 +18,7 @@ struct Recorder
     const unsigned char* array = nullptr; ///< of glInterleavedArrays
     bool list_names = true;
     bool on = true;
+    int stencil_bits = 8;
 };
 
 Recorder recorder;
@@ -66,6 +67,11 @@ void record(bool on)
 void have_no_list_names()
 {
     recorder.list_names = false;
+}
+
+void have_no_stencil()
+{
+    recorder.stencil_bits = 0;
 }
 
 void set_error(unsigned error)
@@ -184,9 +190,20 @@ void glMultMatrixd(const GLdouble* m)
         recorder.calls.back().arguments.assign(m, m + 16);
     }
 }
+void glMultMatrixf(const GLfloat* m)
+{
+    note("glMultMatrixf");
+    if (recorder.on) {
+        recorder.calls.back().arguments.assign(m, m + 16);
+    }
+}
 void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
     note("glViewport", {double(x), double(y), double(width), double(height)});
+}
+void glScissor(GLint x, GLint y, GLsizei width, GLsizei height)
+{
+    note("glScissor", {double(x), double(y), double(width), double(height)});
 }
 void gluPerspective(GLdouble fovy, GLdouble aspect, GLdouble z_near, GLdouble z_far)
 {
@@ -213,6 +230,14 @@ void glDepthFunc(GLenum function)
 void glDepthMask(GLboolean flag)
 {
     note("glDepthMask", {double(flag)});
+}
+void glStencilFunc(GLenum function, GLint reference, GLuint mask)
+{
+    note("glStencilFunc", {double(function), double(reference), double(mask)});
+}
+void glStencilOp(GLenum fail, GLenum depth_fail, GLenum pass)
+{
+    note("glStencilOp", {double(fail), double(depth_fail), double(pass)});
 }
 void glBlendFunc(GLenum source, GLenum destination)
 {
@@ -345,6 +370,10 @@ void gluCylinder(GLUquadric*, GLdouble base, GLdouble top, GLdouble height, GLin
     note("gluCylinder", {base, top, height, double(slices), double(stacks)});
 }
 
+void glGetIntegerv(GLenum name, GLint* value)
+{
+    *value = name == GL_STENCIL_BITS ? recorder.stencil_bits : 0;
+}
 GLenum glGetError()
 {
     return std::exchange(recorder.error, GL_NO_ERROR);

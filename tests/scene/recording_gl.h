@@ -34,6 +34,9 @@ void record(bool on);
 /// Makes glGenLists return 0 from now on.
 void have_no_list_names();
 
+/// Makes the target have no stencil from now on; it has 8 bits otherwise.
+void have_no_stencil();
+
 /// Makes the next glGetError return this.
 void set_error(unsigned error);
 

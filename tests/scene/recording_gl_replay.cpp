@@ -62,8 +62,9 @@ namespace {
 /// Takes in a call that sets a value. Materials and lights, which every drawing sets anew, are left out.
 void set(Settings& settings, const Call& call)
 {
-    for (const char* name : {"glBlendFunc", "glDepthFunc", "glDepthMask", "glCullFace", "glFrontFace",
-                             "glShadeModel", "glLineWidth", "glPolygonMode", "glMatrixMode"}) {
+    for (const char* name :
+         {"glBlendFunc", "glDepthFunc", "glDepthMask", "glCullFace", "glFrontFace", "glShadeModel",
+          "glLineWidth", "glPolygonMode", "glMatrixMode", "glStencilFunc", "glStencilOp"}) {
         if (call.name == name) {
             settings[name] = call.arguments;
         }
@@ -136,7 +137,7 @@ Replay replay(const std::vector<Call>& calls)
             stack.back() = stack.back() * scaling(a[0], a[1], a[2]);
         } else if (call.name == "glRotate") {
             stack.back() = stack.back() * rotation(a[0], {a[1], a[2], a[3]});
-        } else if (call.name == "glMultMatrixd") {
+        } else if (call.name == "glMultMatrixd" || call.name == "glMultMatrixf") {
             glm::dmat4 factor;
             std::copy(a.begin(), a.end(), &factor[0][0]);
             stack.back() = stack.back() * factor;

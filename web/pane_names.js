@@ -1,0 +1,9 @@
+// The names of the four views that share the picture, in the places where src/app/frame.cpp puts them.
+
+/** Shows the names while there are four. */
+export function namePanes(program) {
+  const names = document.getElementById("pane-names");
+  program.listen((state) => {
+    names.hidden = state.view !== "four";
+  }, 0);
+}

@@ -1,7 +1,7 @@
 """The far tank: the same silhouettes for a few hundred triangles, in the same frames."""
 import math
 
-from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R
+from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R, WHEEL_Z
 from hull import glacis, yz
 from mesh import SIDE, TOP, Mesh, at
 from running import ACROSS, END_R, END_Y, IDLER_Z
@@ -14,7 +14,7 @@ def body():
     m.begin()
     prism(
         m,
-        yz((-3.74, 1.10), (-3.64, 1.612), (1.85, 1.612), (3.64, glacis(3.62) + 0.012), (3.66, 1.02)),
+        yz((-3.74, 1.10), (-3.68, 1.645), (1.85, 1.64), (3.64, glacis(3.62) + 0.022), (3.66, 1.02)),
         -1.69,
         1.69,
         SIDE,
@@ -29,8 +29,8 @@ def body():
             m,
             yz(
                 (-3.40, 0.98),
-                (-2.26, 0.52),
-                (3.06, 0.50),
+                (-2.26, 0.49),
+                (3.06, 0.47),
                 (3.40, 0.84),
                 (3.40, glacis(3.4) - 0.03),
                 (2.40, 1.44),
@@ -41,28 +41,12 @@ def body():
             SIDE,
             cap0=False,
         )
-        # the track: what hangs out below the skirts, as a thick band
+        # the track: what hangs out below the skirts, as a thick band with the end wheels' discs within
         x0, x1 = TRACK_X - TRACK_W / 2, TRACK_X + TRACK_W / 2 - 0.01  # not flush with the hull's side
-        o = [
-            (-3.12, 1.10),
-            (-3.50, 0.86),
-            (-3.36, 0.42),
-            (-2.47, 0.0),
-            (2.47, 0.0),
-            (3.36, 0.42),
-            (3.50, 0.86),
-            (3.12, 1.10),
-        ]
-        i = [
-            (-3.12, 1.02),
-            (-3.40, 0.82),
-            (-3.27, 0.46),
-            (-2.46, 0.08),
-            (2.46, 0.08),
-            (3.27, 0.46),
-            (3.40, 0.82),
-            (3.12, 1.02),
-        ]
+        e, w = IDLER_Z, WHEEL_Z[0]
+        o = [(e, 1.09), (e + 0.30, 0.94), (e + 0.37, 0.66), (e + 0.24, 0.43), (w + 0.10, 0.0)]
+        i = [(e, 1.01), (e + 0.22, 0.90), (e + 0.28, 0.70), (e + 0.16, 0.46), (w + 0.06, 0.10)]
+        o, i = ([(-z, y) for z, y in half] + half[::-1] for half in (o, i))
         m.begin(smooth=20)
         for k in range(len(o) - 1):
             a, b, c, d = o[k], o[k + 1], i[k + 1], i[k]
@@ -71,13 +55,20 @@ def body():
                 return (x, p[1], p[0])
 
             m.poly([at3(a, x1), at3(b, x1), at3(b, x0), at3(a, x0)])
-            m.poly([at3(d, x0), at3(c, x0), at3(c, x1), at3(d, x1)])
             m.poly([at3(d, x1), at3(c, x1), at3(b, x1), at3(a, x1)])
-            m.poly([at3(a, x0), at3(b, x0), at3(c, x0), at3(d, x0)])
+            if 2 < k < 6:  # elsewhere the hull and the end wheels hide what is inside
+                m.poly([at3(d, x0), at3(c, x0), at3(c, x1), at3(d, x1)])
+                m.poly([at3(a, x0), at3(b, x0), at3(c, x0), at3(d, x0)])
         for z in (-IDLER_Z, IDLER_Z):
             m.begin()
-            disc(m, END_R, 1.60, 6, at(0, END_Y, z) @ ACROSS)
-            disc(m, END_R, 1.15, 6, at(0, END_Y, z) @ ACROSS, up=False)
+            disc(m, END_R * 1.14, 1.60, 5, at(0, END_Y, z) @ ACROSS)
+        m.begin()
+        for z, y, s in ((3.715, 0.84, 1), (-3.695, 0.80, -1)):  # mud guards
+            flap = [(1.04, y, z), (1.70, y, z), (1.70, 1.14, z - 0.1 * s), (1.04, 1.14, z - 0.1 * s)]
+            m.poly(flap if s > 0 else flap[::-1])
+            side = [(0.78, 3.56), (0.80, 3.72), (0.99, 3.74), (1.12, 3.56)]  # as far out as the tow hooks
+            side = [(1.70, y, z * s) for y, z in side]
+            m.poly(side[::-1] if s > 0 else side)
 
     m.both(side)
     return m
@@ -93,17 +84,25 @@ def turret():
         return [(z, x) for x, z in h + [(-x, z) for x, z in h[::-1]]]
 
     belt = [(x + 0.03, z) for x, z in BELT]
-    stack(m, [(ring(BOTTOM), 0.0), (ring(belt), 0.37), (ring(SHOULDER), 0.80)], TOP)
+    stack(m, [(ring(BOTTOM), 0.05), (ring(belt), 0.37), (ring(SHOULDER), 0.815)], TOP)
     m.begin()
     box(m, (-1.10, 0.29, -2.73), (1.10, 0.68, -2.15), bottom=True)
-    drum(m, 0.38, 0.78, 0.94, 6, at(CUPOLA[0], 0, CUPOLA[2]) @ UP, cap0=False)
-    box(m, (-0.98, 0.78, 0.18), (-0.60, 1.02, 0.66))
+    drum(m, 0.39, 0.80, 0.94, 5, at(CUPOLA[0], 0, CUPOLA[2]) @ UP, cap0=False)
+    box(m, (-0.98, 0.78, 0.18), (-0.60, 1.02, 0.72))
     box(m, (-0.24, 0.78, 0.06), (0.04, 1.05, 0.34))
     for x in (1.02, -1.02):
-        p = [(x - 0.02, 0.79, -2.08), (x + 0.02, 0.79, -2.08), (x, 0.79, -2.12)]
+        p = [(x - 0.014, 0.79, -2.088), (x + 0.014, 0.79, -2.088), (x, 0.79, -2.112)]
         t = (x, 2.75, -2.10)
         for i in range(3):
             m.poly([p[i], t, p[(i + 1) % 3]][::-1])
+
+    def smoke():
+        foot = [(1.36, 0.52, 0.02), (1.36, 0.52, -0.62), (1.26, 0.76, -0.62), (1.26, 0.76, 0.02)]
+        tip = (1.60, 0.68, -0.22)
+        for i in range(4):
+            m.poly([foot[i], foot[(i + 1) % 4], tip])
+
+    m.both(smoke)
     return m
 
 
@@ -122,10 +121,10 @@ def main_gun():
         cap0=False,
     )
     m.begin(smooth=70)
-    lathe(m, [(0.112, 1.80), (0.108, 6.30)], 5, at(0, y, 0), 0.3)
-    disc(m, 0.108, 6.30, 5, at(0, y, 0), 0.3)
+    lathe(m, [(0.118, 1.80), (0.112, 6.30)], 5, at(0, y - 0.007, 0), 0.314)
+    disc(m, 0.112, 6.30, 5, at(0, y - 0.007, 0), 0.314)
     m.begin(smooth=70)
-    lathe(m, [(0.10, 3.48), (0.158, 3.60), (0.158, 4.22), (0.10, 4.34)], 5, at(0, y, 0), 0.3)
+    lathe(m, [(0.12, 3.46), (0.20, 3.59), (0.20, 4.20), (0.12, 4.34)], 4, at(0, y, 0), math.pi / 4)
     return m
 
 
@@ -133,21 +132,20 @@ def machine_gun():
     m = Mesh('tanksecondarygunLow')
     y = 0.225
     m.begin()
-    box(m, (-0.05, y - 0.07, -0.40), (0.05, y + 0.07, 0.10), bottom=True)
-    box(m, (0.07, y - 0.17, -0.16), (0.20, y + 0.03, 0.10), bottom=True)
+    box(m, (-0.05, y - 0.07, -0.40), (0.05, y + 0.07, 0.10))
+    box(m, (0.07, y - 0.17, -0.16), (0.20, y + 0.03, 0.10))
     box(m, (-0.045, -0.03, -0.07), (0.045, y - 0.06, 0.06))
     p = [(0.0, y + 0.032, 0.08), (-0.03, y - 0.018, 0.08), (0.03, y - 0.018, 0.08)]
     q = [(a, b, 1.04) for a, b, _ in p]
     for i in range(3):
         m.poly([p[i], p[(i + 1) % 3], q[(i + 1) % 3], q[i]])
-    m.poly(q)
     return m
 
 
 def wheel():
     m = Mesh('tankwheelLow')
     m.begin()
-    drum(m, WHEEL_R * 1.05, -0.24, 0.24, 6, ACROSS, 0.0, start=math.pi / 6)
+    drum(m, WHEEL_R * 1.03, -0.24, 0.24, 8, ACROSS, 0.0, start=math.pi / 8, cap0=False)
     return m
 
 

@@ -32,7 +32,7 @@ MATS = [
 ]
 COLOUR = {
     'rubber': (58, 57, 56),
-    'metal': (84, 86, 82),
+    'metal': (98, 100, 95),
     'gunmetal': (72, 74, 78),
     'dark': (38, 38, 37),
     'glass': (42, 58, 74),
@@ -261,11 +261,11 @@ def paint(layer, meshes, count, mats=MATS):
     # camouflage
     warp = np.stack([noise(tank, 1.1, 3), noise(tank, 1.1, 4), noise(tank, 1.1, 5)], -1) * 0.35
     q = (tank + warp) * np.array((0.8, 0.9, 0.62))
-    a = noise(q, 0.95, 11) + 0.25 * noise(q, 2.1, 12)
-    b = noise(q + 17.3, 0.92, 13) + 0.25 * noise(q, 2.3, 14)
+    a = noise(q, 1.15, 11) + 0.3 * noise(q, 2.5, 12)
+    b = noise(q + 17.3, 1.05, 13) + 0.3 * noise(q, 2.6, 14)
     camo = np.broadcast_to(np.array(GREEN, float), p.shape).copy()
-    camo = mix(camo, np.array(BROWN, float), step(0.10, 0.115, a))
-    camo = mix(camo, np.array(BLACK, float), step(0.33, 0.345, b))
+    camo = mix(camo, np.array(BROWN, float), step(0.07, 0.08, a))
+    camo = mix(camo, np.array(BLACK, float), step(0.27, 0.28, b))
     col = camo.copy()
     for name, c in COLOUR.items():
         col[is_(name)] = c
@@ -340,7 +340,7 @@ def paint(layer, meshes, count, mats=MATS):
     # wear on edges, grime in corners, streaks down the sides, soot at the exhausts
     chip = noise(tank, 6.0, 31) + 0.5 * noise(tank, 19.0, 32)
     wear = flatpaint & (sel['convex'] < 0.016)
-    col = mix(col, np.array((158, 156, 142.0)), np.where(wear, 0.16 + 0.34 * step(0.15, 0.7, chip), 0.0))
+    col = mix(col, np.array((150, 148, 134.0)), np.where(wear, 0.12 + 0.34 * step(0.15, 0.7, chip), 0.0))
     col = col * (1 - 0.24 * np.exp(-sel['concave'] / 0.03))[:, None]
     steep = is_('paint') & (np.abs(n[:, 1]) < 0.75) & (mesh < 2)
     streak = step(0.2, 0.7, noise(tank * np.array((7.0, 0.7, 7.0)), 1.0, 33))

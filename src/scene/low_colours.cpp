@@ -5,15 +5,15 @@
 namespace scene {
 namespace {
 
-// What the high tank's picture shows on average where the low one's shows the mesh, by the handout's camera
-// and from all around: (93, 90, 72) for the body, (91, 87, 70), (105, 96, 75), (74, 75, 65) and (72, 72, 57).
-// Then up to 6 apart from each other, so that the parts can be told where no light shapes them.
+// What the high tank's picture shows on average where the low one's shows the mesh, from all around: (85, 81,
+// 65) for the body, (84, 81, 66), (95, 92, 70), (73, 74, 65) and (65, 66, 54). Then up to 4 apart from each
+// other, so that the parts can be told where no light shapes them.
 constexpr std::array<Rgb, tank::MESH_KIND_COUNT> LOW_COLOURS = {{
-    {90, 88, 70},  // body
-    {97, 92, 74},  // turret
-    {109, 99, 78}, // main gun
-    {70, 71, 62},  // secondary gun
-    {66, 66, 52},  // wheel
+    {83, 79, 63}, // body
+    {88, 84, 68}, // turret
+    {97, 93, 71}, // main gun
+    {72, 73, 64}, // secondary gun
+    {63, 64, 52}, // wheel
 }};
 
 } // namespace

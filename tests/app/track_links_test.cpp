@@ -1,5 +1,7 @@
 #include "app/track_links.h"
 
+#include "fixtures.h"
+
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -184,6 +186,26 @@ TEST(TrackLinks, PassByTheWheelsAngleAsAWholeNumberATurn)
     // The wheels' angle wraps from pi to -pi, and the links do not jump.
     EXPECT_EQ(link_phase(links, std::numbers::pi - 0.3 * pitch, 8),
               link_phase(links, -std::numbers::pi - 0.3 * pitch, 8));
+}
+
+TEST(TrackLinks, OfOurTankKeepTheirFormAndThePlaceOfTheTrackOnTheirWay)
+{
+    const mesh::ObjMesh& body = own_assets().high[tank::index_of(tank::MeshKind::body)];
+    const TrackLinks& links = own_assets().track_links;
+    EXPECT_EQ(links.per_turn, 11);
+    for (const Side side : {Side::left, Side::right}) {
+        const mesh::ObjMesh rest = moved_links(body, links, side, 0.0);
+        const mesh::ObjMesh moved = moved_links(body, links, side, 0.5);
+        ASSERT_GT(rest.faces.size(), 1000u);
+        for (std::size_t i = 0; i < moved.faces.size(); ++i) {
+            // Half way between straight and round, an edge is a fifth longer or shorter at most.
+            const float was = glm::length(corner(rest, i, 1) - corner(rest, i, 0));
+            EXPECT_NEAR(glm::length(corner(moved, i, 1) - corner(moved, i, 0)), was, 0.2f * was + 0.005f);
+            EXPECT_GT(corner(moved, i, 0).y, -0.01f);               // on the ground
+            EXPECT_EQ(corner(moved, i, 0).x, corner(rest, i, 0).x); // to no side
+            EXPECT_EQ(corner(moved, i, 0).x > 0.0f, side == Side::left);
+        }
+    }
 }
 
 } // namespace

@@ -112,7 +112,7 @@ TEST_F(Program, SaysWhatIsWrongWithCommandsAndLinks)
     EXPECT_EQ(program.open_link("turret=5").size(), 0u);
 }
 
-TEST_F(Program, CompilesNoShaderAndUploadsNoGeometryInASteadyFrame)
+TEST_F(Program, CompilesNoShaderAndUploadsNoModelInASteadyFrame)
 {
     program.draw_if_changed(WIDTH, HEIGHT);
     program.redraw();
@@ -123,7 +123,9 @@ TEST_F(Program, CompilesNoShaderAndUploadsNoGeometryInASteadyFrame)
     const LegacyGLCounters counters = legacygl_counters(legacygl_current());
     EXPECT_GT(counters.draw_calls, 18u);
     EXPECT_EQ(counters.programs, 0u);
-    EXPECT_EQ(counters.uploads, 0u);
+    // The shadow's small wheels, which follow each other with other matrices, are gathered anew each time. The
+    // high model, which stays, has more than a megabyte.
+    EXPECT_LT(counters.upload_bytes, 200'000u);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
-// The program's own picture: the assembled tank from four cameras in three poses, as a link describes them; the
-// program's other views; and the shadow seen from the side it falls to, of each level, of wires, of some parts,
-// and where two of them meet.
+// The program's own picture: the assembled tank from four cameras in three poses, as a link describes them;
+// the program's other views; and the shadow seen from the side it falls to, of each level, of wires, of some
+// parts, and where two of them meet.
 
 #include "scenes/program.h"
 

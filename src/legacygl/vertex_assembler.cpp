@@ -106,8 +106,13 @@ void VertexAssembler::lay_out()
     }
 }
 
+/// Takes what is current into the template. The batch has no vertices yet.
 void VertexAssembler::load_template()
 {
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+        if (std::uint8_t& present = batch_.format.components[i])
+            present = static_cast<std::uint8_t>(significant_components((*current_)[i], present));
+    lay_out();
     for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
         for (int c = 0; c < batch_.format.components[i]; ++c)
             template_[offsets_[i] + c] = (*current_)[i][c];
@@ -161,7 +166,7 @@ void VertexAssembler::set(Attribute attribute, int components, glm::vec4 value)
     store_current(i);
     in_template_[i] = 0;
     const bool wanted = wanted_ & (1u << i);
-    if (has_vertices() && wanted && !fits(i, components, value))
+    if ((has_vertices() || batch_.format.components[i] != 0) && wanted && !fits(i, components, value))
         widen(attribute, components, value);
     batch_.attributes_set |= 1u << i;
     (inside_ ? batch_.attributes_varying : set_between_) |= 1u << i;

@@ -81,4 +81,67 @@ TEST_F(Vertices, AMillionMakeOnePrimitive)
     EXPECT_EQ(backend->counters.vertices, 3u * 999998);
 }
 
+/// Three vertices with a colour of their own each, of three components; the batch ends with them.
+void draw_colored_triangle()
+{
+    glBegin(GL_TRIANGLES);
+    for (int i = 0; i < 3; ++i) {
+        glColor3f(static_cast<float>(i), 0, 0);
+        glVertex2f(static_cast<float>(i % 2), static_cast<float>(i / 2));
+    }
+    glEnd();
+    glFlush();
+}
+
+TEST_F(Vertices, TheNextBatchTakesWhatIsCurrentWhateverTheLastOneHad)
+{
+    draw_colored_triangle();
+    glColor4f(0.1f, 0.2f, 0.3f, 0.4f);
+    triangle();
+    const auto drawn = corners();
+    ASSERT_EQ(drawn.size(), 6u);
+    for (int i = 3; i < 6; ++i)
+        EXPECT_EQ(drawn[i].color, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+}
+
+TEST_F(Vertices, AColorBeforeTheFirstVertexKeepsItsAlphaWhateverTheLastBatchHad)
+{
+    draw_colored_triangle();
+    glBegin(GL_TRIANGLES);
+    glColor4f(0.1f, 0.2f, 0.3f, 0.4f);
+    for (int i = 0; i < 3; ++i)
+        glVertex2f(static_cast<float>(i % 2), static_cast<float>(i / 2));
+    glEnd();
+    const auto drawn = corners();
+    ASSERT_EQ(drawn.size(), 6u);
+    EXPECT_EQ(drawn[3].color, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+}
+
+TEST_F(Vertices, ARestoredColorKeepsItsAlphaWhateverTheLastBatchHad)
+{
+    glColor4f(0.1f, 0.2f, 0.3f, 0.4f);
+    glPushAttrib(GL_CURRENT_BIT);
+    draw_colored_triangle();
+    glPopAttrib();
+    triangle();
+    const auto drawn = corners();
+    ASSERT_EQ(drawn.size(), 6u);
+    EXPECT_EQ(drawn[5].color, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+}
+
+TEST_F(Vertices, WhatIsCurrentIsThatOfTheLastVertexAndOfWhatCameAfterIt)
+{
+    draw_colored_triangle();
+    glBegin(GL_POINTS);
+    glColor3f(0.5f, 0, 0);
+    glVertex2f(0, 0);
+    glColor4f(0, 0.5f, 0, 0.25f);
+    glVertex2f(1, 0);
+    glColor3f(0, 0, 0.5f);
+    glEnd();
+    std::array<GLfloat, 4> color{};
+    glGetFloatv(GL_CURRENT_COLOR, color.data());
+    EXPECT_EQ(color, (std::array<GLfloat, 4>{0, 0, 0.5f, 1}));
+}
+
 } // namespace

@@ -1,8 +1,7 @@
 """The far tank: the same silhouettes for a few hundred triangles, in the same frames."""
 import math
 
-from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R, WHEEL_Z
-from hull import glacis, yz
+from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R, WHEEL_Z, glacis, yz
 from mesh import SIDE, TOP, Mesh, at
 from running import ACROSS, END_R, END_Y, IDLER_Z
 from shapes import box, disc, drum, lathe, prism, rect, stack

@@ -20,8 +20,8 @@ ACROSS = turn('Y', 90)  # a lathe's axis laid along X
 
 
 def path(e):
-    """The belt's inner line, end wheels at z = e and -e, as ('line', a, b) and ('arc', centre, r, from, to) in (z, y), from the
-    bottom rear forward, over the idler, back along the top, and around the sprocket."""
+    """The belt's inner line, with the end wheels at z = e and -e, as ('line', a, b) and ('arc', centre, r, from, to) in
+    (z, y): from the bottom rear forward, over the idler, back along the top, and around the sprocket."""
     d = Vector((e - WHEEL_Z[0], END_Y - WHEEL_Y))
     phi = math.atan2(d.y, d.x) - math.acos((WHEEL_R - END_R) / d.length)
     down, up = -math.pi / 2, math.pi / 2

@@ -23,14 +23,14 @@ def look(x, y, z, distance, orbit, tilt, *pose):
 
 
 VIEWS = {
-    "front left": look(0, 1.3, 0.9, 11, 40, 15),
-    "front": look(0, 1.3, 1.0, 11, 3, 10),
-    "front right": look(0, 1.3, 0.9, 11, -40, 15),
-    "right": look(0, 1.2, 1.0, 11.5, -90, 6),
-    "rear right": look(0, 1.3, 0.5, 11, -140, 18),
-    "rear": look(0, 1.3, -0.5, 11, 180, 12),
-    "rear left": look(0, 1.3, 0.5, 11, 140, 18),
-    "left": look(0, 1.2, 1.0, 11.5, 90, 6),
+    "front left": look(0, 1.3, 0.9, 9, 40, 15),
+    "front": look(0, 1.4, 1.0, 9, 3, 10),
+    "front right": look(0, 1.3, 0.9, 9, -40, 15),
+    "right": look(0, 1.3, 1.0, 9, -90, 6),
+    "rear right": look(0, 1.4, 0.5, 8.5, -140, 18),
+    "rear": look(0, 1.5, -0.5, 8, 180, 12),
+    "rear left": look(0, 1.4, 0.5, 8.5, 140, 18),
+    "left": look(0, 1.3, 1.0, 9, 90, 6),
     "above": look(0, 1.0, 0.8, 12, 25, 75),
     "gun up": look(0, 1.8, 0.8, 11, 60, 8, "gun=20", "secondary_gun=-60"),
     "gun down": look(0, 1.3, 0.8, 11, 60, 8, "gun=-9", "secondary_gun=60"),
@@ -69,8 +69,20 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for name in names:
             path = pathlib.Path(folder) / "view.png"
-            subprocess.run([arguments.build / "tanklab-render", VIEWS[name], "--size", arguments.size, "--out", path,
-                            "--assets", ROOT / "assets"], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run(
+                [
+                    arguments.build / "tanklab-render",
+                    VIEWS[name],
+                    "--size",
+                    arguments.size,
+                    "--out",
+                    path,
+                    "--assets",
+                    ROOT / "assets",
+                ],
+                check=True,
+                stdout=subprocess.DEVNULL,
+            )
             pictures.append(Image.open(path).convert("RGB"))
             ImageDraw.Draw(pictures[-1]).text((8, 6), name, fill="black")
     columns = min(arguments.columns, len(names))

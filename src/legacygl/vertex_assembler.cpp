@@ -143,19 +143,19 @@ void VertexAssembler::make_room()
     room_ = static_cast<std::uint32_t>((batch_.vertices.size() - BLOCK - used) / floats_);
 }
 
-/// Makes the next vertex possible; false: there is none, being outside of a primitive.
-bool VertexAssembler::prepare_vertex(int components, glm::vec4 position)
+/// Adds a vertex where there is no room yet, the position has other components, or no primitive was begun.
+void VertexAssembler::other_vertex(int components, glm::vec4 position)
 {
     if (!inside_) {
         if (use_ == Use::immediate)
-            return false; // Undefined by the specification; nothing is drawn.
+            return; // Undefined by the specification; nothing is drawn.
         resume(UNKNOWN_MODE);
     }
     if (batch_.format.components[0] < components)
         widen(Attribute::position, components, position);
     if (room_ == 0)
         make_room();
-    return true;
+    append(batch_.format.components[0], position);
 }
 
 /// Sets an attribute for the first time in a primitive, or outside of one, or with other components. One that

@@ -123,20 +123,8 @@ public:
     void vertex(int components, glm::vec4 position)
     {
         if (room_ == 0 || batch_.format.components[0] != components) [[unlikely]]
-            if (!prepare_vertex(components, position))
-                return;
-        float* out = next_;
-        for (int c = 0; c < components; ++c)
-            out[c] = position[c];
-        int present = components;
-        for (; present < batch_.format.components[0]; ++present)
-            out[present] = position[present];
-        // In whole blocks, over the vertex's end: the next vertex overwrites that.
-        for (int c = present; c < floats_; c += BLOCK)
-            std::memcpy(out + c, template_.data() + c, BLOCK * sizeof(float));
-        next_ += floats_;
-        --room_;
-        ++batch_.vertex_count;
+            return other_vertex(components, position);
+        append(components, position);
     }
 
     /// Notes that the material changes before the next vertex. now: the materials without the change.
@@ -169,7 +157,20 @@ private:
         return present ? components <= present : known(i) && (*current_)[i] == value;
     }
     void set(Attribute attribute, int components, glm::vec4 value);
-    bool prepare_vertex(int components, glm::vec4 position);
+    void other_vertex(int components, glm::vec4 position);
+    /// Adds a vertex with `present` components of its position, for which there is room.
+    void append(int present, glm::vec4 position)
+    {
+        float* out = next_;
+        for (int c = 0; c < present; ++c)
+            out[c] = position[c];
+        // In whole blocks, over the vertex's end: the next vertex overwrites that.
+        for (int c = present; c < floats_; c += BLOCK)
+            std::memcpy(out + c, template_.data() + c, BLOCK * sizeof(float));
+        next_ = out + floats_;
+        --room_;
+        ++batch_.vertex_count;
+    }
     void widen(Attribute attribute, int components, glm::vec4 value);
     void close_primitive(bool ends);
     void make_room();

@@ -19,7 +19,7 @@ import turret  # noqa: E402
 import wheel  # noqa: E402
 from mesh import unwrap  # noqa: E402
 
-QUALITY = 85
+QUALITY = 84
 
 
 def run(args):

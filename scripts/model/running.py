@@ -167,11 +167,11 @@ def sprocket(m):
 
         half = 180 / TEETH
         outline = [(-half, 0.268), (-10, 0.268), (-4, 0.350), (4, 0.350), (10, 0.268), (half, 0.268)]
-        m.begin('metal', 1.4, smooth=30)
+        m.begin('metal', 2.0, smooth=30)
         m.poly([on(a, r, 1.705) for a, r in [(-half, 0.19)] + outline + [(half, 0.19)]])
         for (a, r), (b, q) in zip(outline, outline[1:]):
             m.poly([on(a, r, 1.65), on(b, q, 1.65), on(b, q, 1.705), on(a, r, 1.705)])
-        m.begin(dens=1.4, smooth=45)
+        m.begin(dens=2.2, smooth=45)
         sector(m, [(0.215, 1.68), (0.205, 1.722), (0.11, 1.700), (0.085, 1.728), (0.0, 1.730)], f, 1, tooth)
 
     m.wheel_of(one, TEETH, about(z), 'sprocket')
@@ -183,10 +183,10 @@ def idler(m):
     f = at(0, END_Y, IDLER_Z) @ ACROSS
 
     def one():
-        m.begin('paint', smooth=40)
+        m.begin('paint', 1.6, smooth=40)
         rim = [(0.0, 1.15), (0.29, 1.165), (0.29, 1.60), (0.26, 1.61), (0.235, 1.575), (0.10, 1.555)]
         sector(m, rim, f, 2)
-        m.begin('paint', smooth=62)
+        m.begin('paint', 1.8, smooth=62)
         sector(m, [(0.12, 1.54), (0.10, 1.628), (0.0, 1.636)], f)
 
     m.wheel_of(one, TEETH, about(IDLER_Z), 'idler')

@@ -15,7 +15,7 @@ def build():
     f = turn('Y', 90)
     n = 14
     r = WHEEL_R
-    m.begin('wheel', 1.0, smooth=40)
+    m.begin('wheel', 2.0, smooth=40)
     lathe(
         m,
         [
@@ -29,7 +29,7 @@ def build():
         n,
         f,
     )
-    m.begin('wheel', 1.2, smooth=40)
+    m.begin('wheel', 2.2, smooth=40)
     lathe(m, [(0.122, 0.21), (0.104, 0.240), (0.0, 0.248)], 6, f)
     for k in range(5):  # ribs, so that one sees it turn
         a = 2 * math.pi * (k + 0.25) / 5
@@ -38,7 +38,7 @@ def build():
         def on(rr, w, t):
             return f @ Vector((rr * c - w * s, rr * s + w * c, t))
 
-        m.begin('wheel', 1.2, smooth=20)
+        m.begin('wheel', 1.8, smooth=20)
         in0, in1 = on(0.085, -0.026, 0.236), on(0.085, 0.026, 0.236)
         out0, out1 = on(0.268, -0.018, 0.218), on(0.268, 0.018, 0.218)
         b0, b1 = on(0.085, -0.038, 0.205), on(0.085, 0.038, 0.205)

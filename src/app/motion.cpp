@@ -6,7 +6,7 @@ namespace app {
 
 namespace {
 
-constexpr std::uint8_t LINGERS = TICKS_PER_SECOND / 5;
+constexpr std::uint8_t LINGERS = 2 * TICKS_PER_SECOND / 5;
 
 /// Returns how many joints lie between a part and the body.
 int depth(const tank::Layout& layout, tank::Part part)

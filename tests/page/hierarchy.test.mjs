@@ -42,8 +42,11 @@ test("the tree marks what a drag moves", async () => {
   await withTank("chromium", { path: "#figure=2&view=gunner" }, async ({ page }) => {
     await page.mouse.move(200, 300);
     await page.mouse.down();
-    await page.mouse.move(290, 300, { steps: 3 });
-    await waitForMarks(page, "moving", ["turret"]);
+    const marks = waitForMarks(page, "moving", ["turret"]);
+    for (let x = 201, done = false; !done; x = x < 600 ? x + 3 : 200) {
+      await page.mouse.move(x, 300); // on and on: a drag that rests is none
+      done = await Promise.race([marks.then(() => true), new Promise((resolve) => setTimeout(resolve, 20, false))]);
+    }
     await page.mouse.up();
     await waitForMarks(page, "moving", []);
   });

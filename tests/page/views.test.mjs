@@ -34,6 +34,12 @@ for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 
         ["From above", 1, 1],
       ]);
       assert.ok(named.every(({ shown }) => shown));
+      const covered = await page.evaluate(() => {
+        const picture = document.getElementById("canvas").getBoundingClientRect();
+        const panel = document.getElementById("tasks").getBoundingClientRect();
+        return Math.min(picture.right, panel.right) - Math.max(picture.left, panel.left) > 1 && Math.min(picture.bottom, panel.bottom) - Math.max(picture.top, panel.top) > 1;
+      });
+      assert.equal(covered, false, "no view lies under the panel");
       const viewports = await page.evaluate(() => tanklab.capture().filter(({ name }) => name === "glViewport").length);
       assert.equal(viewports, 4);
       await page.evaluate(() => tanklab.command("view", 0));

@@ -112,7 +112,8 @@ TEST_F(Program, SaysWhatIsWrongWithCommandsAndLinks)
     EXPECT_EQ(program.open_link("turret=5").size(), 0u);
 }
 
-TEST_F(Program, CompilesNoShaderAndUploadsNoModelInASteadyFrame)
+/// Draws the same twice, then with the turret turned, and returns what the last frame took.
+LegacyGLCounters counters_of_steady_frame(platform::Program& program)
 {
     program.draw_if_changed(WIDTH, HEIGHT);
     program.redraw();
@@ -120,12 +121,28 @@ TEST_F(Program, CompilesNoShaderAndUploadsNoModelInASteadyFrame)
     legacygl_reset_counters(legacygl_current());
     program.command("turret", 20.0);
     program.draw_if_changed(WIDTH, HEIGHT);
-    const LegacyGLCounters counters = legacygl_counters(legacygl_current());
+    return legacygl_counters(legacygl_current());
+}
+
+TEST_F(Program, CompilesNoShaderAndUploadsNoGeometryInASteadyFrame)
+{
+    program.command("ground", 0.0);
+    const LegacyGLCounters counters = counters_of_steady_frame(program);
+    EXPECT_GT(counters.draw_calls, 4u);
+    EXPECT_EQ(counters.programs, 0u);
+    EXPECT_EQ(counters.uploads, 0u);
+}
+
+TEST_F(Program, StreamsOfTheShadowTheRowOfWheelsAloneOnceALayer)
+{
+    // legacygl draws a row of one small list, the wheel's shape, as one stream: vertices and slots of
+    // transforms.
+    const LegacyGLCounters counters = counters_of_steady_frame(program);
+    constexpr std::uint64_t LAYERS = 8;
     EXPECT_GT(counters.draw_calls, 18u);
     EXPECT_EQ(counters.programs, 0u);
-    // The shadow's small wheels, which follow each other with other matrices, are gathered anew each time. The
-    // high model, which stays, has more than a megabyte.
-    EXPECT_LT(counters.upload_bytes, 200'000u);
+    EXPECT_LE(counters.uploads, 2 * LAYERS);
+    EXPECT_LT(counters.upload_bytes, 400'000u);
 }
 
 } // namespace

@@ -63,8 +63,7 @@ void legacygl_resize(LegacyGLContext* context, int width, int height)
     if (width < 1 || height < 1 || (width == context->width && height == context->height))
         return;
     context->flush_vertices();
-    context->width = width;
-    context->height = height;
+    context->set_size(width, height);
     context->backend->resize(width, height);
 }
 

@@ -47,6 +47,7 @@ template <class Visit> void visit_capabilities(State& s, Visit&& visit)
     visit(GL_COLOR_LOGIC_OP, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.color_logic_op);
     visit(GL_INDEX_LOGIC_OP, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.index_logic_op);
     visit(GL_DITHER, GL_COLOR_BUFFER_BIT, Renderer::pipeline, s.fragment.dither);
+    visit(GL_AUTO_NORMAL, GL_EVAL_BIT, 0u, s.auto_normal);
     // A target has one sample a pixel: these are kept and change nothing.
     visit(GL_MULTISAMPLE, GL_MULTISAMPLE_BIT, 0u, s.multisample.enabled);
     visit(GL_SAMPLE_ALPHA_TO_COVERAGE, GL_MULTISAMPLE_BIT, 0u, s.multisample.alpha_to_coverage);

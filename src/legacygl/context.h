@@ -53,6 +53,8 @@ struct Context
         capture.note(name, list_depth, state.transform.modelview.top().values(), args...);
     }
 
+    /// Notes the target's size in pixels.
+    void set_size(int w, int h);
     void begin(GLenum mode);
     void end();
     /// Draws the vertices that wait; every change of state does so first.

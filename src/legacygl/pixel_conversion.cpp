@@ -199,6 +199,70 @@ void write_pixel(bool swap, GLenum format, GLenum type, const PackedType* packed
     }
 }
 
+/// Writes a number as it is.
+void write_number(GLenum type, double number, std::uint8_t* to)
+{
+    const auto store = [&](auto typed) {
+        typed = static_cast<decltype(typed)>(number);
+        std::memcpy(to, &typed, sizeof typed);
+    };
+    switch (type) {
+    case GL_BYTE:
+        return store(GLbyte{});
+    case GL_UNSIGNED_SHORT:
+        return store(GLushort{});
+    case GL_SHORT:
+        return store(GLshort{});
+    case GL_UNSIGNED_INT:
+        return store(GLuint{});
+    case GL_INT:
+        return store(GLint{});
+    case GL_FLOAT:
+        return store(GLfloat{});
+    default:
+        return store(GLubyte{});
+    }
+}
+
+/// Writes an image of one number a pixel.
+template <class Number>
+void pack_numbers(const PixelStore& store, int width, int height, GLenum type, Number number,
+                  std::uint8_t* out)
+{
+    const ClientLayout layout(store, width, GL_LUMINANCE, type);
+    std::size_t pixel = 0;
+    for (int y = 0; y < height; ++y) {
+        std::uint8_t* to = out + layout.start + layout.row * y;
+        for (int x = 0; x < width; ++x, to += layout.pixel) {
+            std::uint8_t bytes[4] = {};
+            write_number(type, number(pixel++), bytes);
+            copy_value(store.swap_bytes, bytes, to, bytes_per_value(type));
+        }
+    }
+}
+
+/// Returns what stands for a depth in the type (OpenGL 1.5, table 4.6).
+double depth_in(GLenum type, std::uint32_t steps)
+{
+    const double depth = static_cast<double>(steps) / 16777215.0;
+    switch (type) {
+    case GL_FLOAT:
+        return depth;
+    case GL_UNSIGNED_INT:
+        return static_cast<double>(steps << 8 | steps >> 16);
+    case GL_UNSIGNED_SHORT:
+        return std::floor(depth * 65535.0 + 0.5);
+    case GL_UNSIGNED_BYTE:
+        return std::floor(depth * 255.0);
+    case GL_INT:
+        return std::floor(static_cast<double>(static_cast<float>(depth)) * 2147483647.0);
+    case GL_SHORT:
+        return std::floor((std::floor(depth * 65535.0) - 1.0) / 2.0);
+    default:
+        return std::floor((std::floor(depth * 255.0) - 1.0) / 2.0);
+    }
+}
+
 } // namespace
 
 std::size_t client_image_bytes(const PixelStore& store, int width, int height, GLenum format, GLenum type)
@@ -239,6 +303,20 @@ void pack_pixels(const PixelStore& store, int width, int height, GLenum format, 
         for (int x = 0; x < width; ++x, from += 4, to += layout.pixel)
             write_pixel(store.swap_bytes, format, type, packed, gather(format, from, luminance), to);
     }
+}
+
+void pack_depths(const PixelStore& store, int width, int height, GLenum type,
+                 std::span<const std::uint32_t> depths, std::uint8_t* out)
+{
+    pack_numbers(
+        store, width, height, type, [&](std::size_t i) { return depth_in(type, depths[i]); }, out);
+}
+
+void pack_stencils(const PixelStore& store, int width, int height, GLenum type,
+                   std::span<const std::uint8_t> values, std::uint8_t* out)
+{
+    pack_numbers(
+        store, width, height, type, [&](std::size_t i) { return static_cast<double>(values[i]); }, out);
 }
 
 } // namespace legacygl

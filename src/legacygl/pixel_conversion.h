@@ -32,4 +32,12 @@ enum class ToLuminance : bool
 void pack_pixels(const PixelStore& store, int width, int height, GLenum format, GLenum type,
                  std::span<const std::uint8_t> rgba, ToLuminance luminance, std::uint8_t* out);
 
+/// Writes depths, in steps of 1 / (2^24 - 1), into client memory. type has one value and no error.
+void pack_depths(const PixelStore& store, int width, int height, GLenum type,
+                 std::span<const std::uint32_t> depths, std::uint8_t* out);
+
+/// Writes stencil values into client memory. type has one value and no error.
+void pack_stencils(const PixelStore& store, int width, int height, GLenum type,
+                   std::span<const std::uint8_t> values, std::uint8_t* out);
+
 } // namespace legacygl

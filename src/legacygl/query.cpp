@@ -24,9 +24,15 @@ constexpr Constant CONSTANTS[] = {
     {GL_MAX_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
     {GL_MAX_TEXTURE_UNITS, Kind::integer, TEXTURE_UNIT_COUNT},
+    {GL_MAX_TEXTURE_LOD_BIAS, Kind::real, MAXIMUM_TEXTURE_LOD_BIAS},
     {GL_MAX_ELEMENTS_INDICES, Kind::integer, 3000},
     {GL_MAX_ELEMENTS_VERTICES, Kind::integer, 3000},
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, Kind::integer, 0},
+    {GL_MAX_CLIP_PLANES, Kind::integer, CLIP_PLANE_COUNT},
+    {GL_MAX_NAME_STACK_DEPTH, Kind::integer, 64},
+    {GL_NAME_STACK_DEPTH, Kind::integer, 0}, // Outside selection, which is not implemented.
+    {GL_POINT_SIZE_GRANULARITY, Kind::real, SIZE_GRANULARITY},
+    {GL_LINE_WIDTH_GRANULARITY, Kind::real, SIZE_GRANULARITY},
     {GL_SUBPIXEL_BITS, Kind::integer, 8},
     {GL_AUX_BUFFERS, Kind::integer, 0},
     {GL_RGBA_MODE, Kind::boolean, 1},
@@ -156,6 +162,20 @@ QueryValue query_other(const Context& gl, GLenum name)
         return QueryValue::boolean(gl.double_buffered);
     case GL_MAX_TEXTURE_SIZE:
         return integer(gl.backend->maximum_texture_size);
+    case GL_POINT_SIZE_RANGE:
+    case GL_ALIASED_POINT_SIZE_RANGE: {
+        std::array<GLfloat, 2> sizes{1, MAXIMUM_POINT_SIZE};
+        return QueryValue(StateField(sizes));
+    }
+    case GL_LINE_WIDTH_RANGE:
+    case GL_ALIASED_LINE_WIDTH_RANGE: {
+        std::array<GLfloat, 2> widths{1, MAXIMUM_LINE_WIDTH};
+        return QueryValue(StateField(widths));
+    }
+    case GL_MAX_VIEWPORT_DIMS: {
+        std::array<GLint, 2> sizes{gl.backend->maximum_viewport_size, gl.backend->maximum_viewport_size};
+        return QueryValue(StateField(sizes));
+    }
     case GL_ATTRIB_STACK_DEPTH:
         return integer(gl.attributes.size());
     case GL_CLIENT_ATTRIB_STACK_DEPTH:

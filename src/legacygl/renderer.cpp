@@ -231,6 +231,15 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
                      });
 }
 
+/// Returns whether no pixel of the target is outside the viewport. ES may cut a point off at the viewport's
+/// edge, and OpenGL does not.
+bool Renderer::viewport_holds_target(const State& state) const
+{
+    const std::array<GLint, 4>& v = state.transform.viewport;
+    return v[0] <= 0 && v[1] <= 0 && v[0] + v[2] >= backend_.target_width &&
+           v[1] + v[3] >= backend_.target_height;
+}
+
 /// Returns what ES cannot do itself for some of the primitives; nothing when it can do all.
 std::optional<RasterWork> Renderer::raster_work(const State& state, const VertexBatch& batch) const
 {
@@ -244,7 +253,7 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
     constexpr std::uint32_t POINTS = 1u << GL_POINTS,
                             LINES = 1u << GL_LINES | 1u << GL_LINE_STRIP | 1u << GL_LINE_LOOP;
     std::uint32_t needed = all ? ~0u : 0;
-    if (work.smooth_points || raster.point_parameters.attenuates())
+    if (work.smooth_points || raster.point_parameters.attenuates() || !viewport_holds_target(state))
         needed |= POINTS;
     if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples())
         needed |= LINES;

@@ -51,6 +51,7 @@ private:
     const ShaderKey& use(const ShaderKey& key);
     const DrawState& prepare(const State& state, const ShaderKey& key);
     std::optional<RasterWork> raster_work(const State& state, const VertexBatch& batch) const;
+    bool viewport_holds_target(const State& state) const;
     void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work);
     void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
                      const RasterOutput& output);

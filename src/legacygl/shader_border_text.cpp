@@ -53,9 +53,13 @@ std::string border_text(const ShaderKey& key, int unit)
     if (minified == magnified && !is_mipmapped(texture.minify)) {
         text += "        float weight = " + magnified + ";\n";
     } else {
-        text += "        float level = 0.5 * log2(max(dot(dFdx(at), dFdx(at)), dot(dFdy(at), dFdy(at))));\n"
-                "        float weight = " +
-                magnified + ";\n        if (level > 0.0) {\n";
+        text +=
+            "        float level = 0.5 * log2(max(dot(dFdx(at), dFdx(at)), dot(dFdy(at), dFdy(at))))" +
+            (texture.lod_bias
+                 ? " + " + at("texturing", unit * texturing_layout::UNIT_SIZE + texturing_layout::LOD_BIAS) +
+                       ".x"
+                 : std::string()) +
+            ";\n        float weight = " + magnified + ";\n        if (level > 0.0) {\n";
         if (is_mipmapped(texture.minify))
             text += "            vec2 smaller = max(vec2(1.0), floor(size * exp2(-floor(level + 0.5))));\n"
                     "            at *= smaller / size;\n"

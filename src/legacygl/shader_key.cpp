@@ -77,6 +77,7 @@ void add_texture(const State& state, int unit, ShaderKey& key)
     for (int i = 0; i < 4; ++i)
         if (u.generation[i].enabled)
             k.generation[i] = u.generation[i].mode;
+    k.lod_bias = TexturingState::lod_bias(u, *texture) != 0;
     k.one_dimensional = texture->target == GL_TEXTURE_1D;
     add_border(texture->parameters.sampling, k);
 }
@@ -234,7 +235,7 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
         mix(static_cast<std::uint64_t>(texture.format));
         mix(texture.environment);
         mix(texture.matrix);
-        mix(texture.one_dimensional);
+        mix(texture.one_dimensional | texture.lod_bias << 1);
         mix(texture.border_wrap[0] | static_cast<std::uint64_t>(texture.border_wrap[1]) << 32);
         mix(texture.minify | static_cast<std::uint64_t>(texture.magnify) << 32);
         for (GLenum mode : texture.generation)

@@ -40,6 +40,7 @@ struct TextureKey
     bool matrix = false;
     std::array<GLenum, 4> generation{}; ///< Mode of each coordinate; 0: taken from the vertex.
     bool one_dimensional = false;
+    bool lod_bias = false; ///< Something is added to the level of detail.
     /// The wrap modes of s and t where they let the border's colour show; else 0.
     std::array<GLenum, 2> border_wrap{};
     GLenum minify = 0; ///< Only where the border shows.
@@ -178,7 +179,7 @@ constexpr int size(int light_count)
 /// Where things lie in the uniform array `texturing`, in vec4s, from unit * UNIT_SIZE.
 namespace texturing_layout {
 constexpr int ENVIRONMENT_COLOR = 0, MATRIX = 1, OBJECT_PLANES = 5, EYE_PLANES = 9, BORDER_COLOR = 13,
-              UNIT_SIZE = 14;
+              LOD_BIAS = 14, UNIT_SIZE = 15;
 constexpr int SIZE = TEXTURE_UNIT_COUNT * UNIT_SIZE;
 } // namespace texturing_layout
 

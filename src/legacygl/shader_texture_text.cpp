@@ -171,7 +171,10 @@ std::string texture_environment_text(const ShaderKey& key)
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         if (key.textures[unit].format != BaseFormat::none)
             text += "    vec4 " + texel(unit) + " = textureProj(texture_" + std::to_string(unit) +
-                    ", texture_position_" + std::to_string(unit) + ");\n" + border_text(key, unit);
+                    ", texture_position_" + std::to_string(unit) +
+                    (key.textures[unit].lod_bias ? ", " + texturing(unit, texturing_layout::LOD_BIAS) + ".x"
+                                                 : "") +
+                    ");\n" + border_text(key, unit);
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
         const TextureKey& texture = key.textures[unit];
         if (texture.format != BaseFormat::none)

@@ -1,6 +1,7 @@
 #include "legacygl/shader_values.h"
 
 #include "legacygl/pixel_format.h"
+#include "legacygl/raster/raster_output.h"
 #include "legacygl/texture_image.h"
 
 #include <glm/vec3.hpp>
@@ -102,6 +103,9 @@ void fill_transform(const State& state, const ShaderKey& key, const TransformLay
         const std::array<GLint, 4>& viewport = state.transform.viewport;
         for (int i = 0; i < 4; ++i)
             out[layout.point][i] = static_cast<float>(viewport[i]);
+        if (key.shaded) // They are drawn through a viewport grown to all sides.
+            for (int i = 2; i < 4; ++i)
+                out[layout.point][i] += 2.0f * RasterOutput::VIEWPORT_MARGIN;
         out[layout.point + 1] = glm::vec4(rasterised_point_size(state.raster.clamped_point_size()));
     }
 }
@@ -159,9 +163,11 @@ void fill_texturing(const State& state, std::span<glm::vec4> out)
         const TextureUnit& u = state.texturing.units[unit];
         glm::vec4* values = &out[unit * UNIT_SIZE];
         values[ENVIRONMENT_COLOR] = u.environment_color;
-        if (const Texture* texture = state.texturing.used(u))
+        if (const Texture* texture = state.texturing.used(u)) {
+            values[LOD_BIAS] = glm::vec4(TexturingState::lod_bias(u, *texture));
             values[BORDER_COLOR] =
                 as_sampled(base_format(texture->base()->internal_format), texture->parameters.border_color);
+        }
         for (int i = 0; i < 4; ++i) {
             values[MATRIX + i] = column(state.transform.texture[unit].top().values(), i);
             values[OBJECT_PLANES + i] = u.generation[i].object_plane;

@@ -84,6 +84,7 @@ template <class Visit> void visit_variables(State& s, Visit&& visit)
     visit(GL_BLEND_SRC_ALPHA, GL_COLOR_BUFFER_BIT, Field(fragment.blend.source_alpha));
     visit(GL_BLEND_DST_ALPHA, GL_COLOR_BUFFER_BIT, Field(fragment.blend.destination_alpha));
     visit(GL_BLEND_EQUATION, GL_COLOR_BUFFER_BIT, Field(fragment.blend.equation));
+    visit(GL_BLEND_EQUATION_ALPHA, GL_COLOR_BUFFER_BIT, Field(fragment.blend.equation_alpha));
     visit(GL_BLEND_COLOR, GL_COLOR_BUFFER_BIT, Field::fraction(fragment.blend.color));
     visit(GL_COLOR_WRITEMASK, GL_COLOR_BUFFER_BIT, Field(fragment.color_mask));
     visit(GL_COLOR_CLEAR_VALUE, GL_COLOR_BUFFER_BIT, Field::fraction(fragment.clear_color));

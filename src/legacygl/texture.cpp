@@ -35,6 +35,12 @@ std::shared_ptr<Texture> TexturingState::named(int target, GLuint name) const
     return there ? found->second : nullptr;
 }
 
+GLfloat TexturingState::lod_bias(const TextureUnit& unit, const Texture& texture)
+{
+    return std::clamp(unit.lod_bias + texture.parameters.lod_bias, -MAXIMUM_TEXTURE_LOD_BIAS,
+                      MAXIMUM_TEXTURE_LOD_BIAS);
+}
+
 Texture* TexturingState::used(const TextureUnit& of) const
 {
     for (int target = TEXTURE_TARGET_COUNT; target-- > 0;) {

@@ -35,7 +35,7 @@ inline Texture& bound_texture(Context& gl, GLenum target)
 /// Returns whether there may be a level of that number.
 inline bool is_level(const Context& gl, GLint level)
 {
-    return level >= 0 && gl.backend->maximum_texture_size >> level != 0;
+    return level >= 0 && level < 31 && gl.backend->maximum_texture_size >> level != 0;
 }
 
 } // namespace legacygl

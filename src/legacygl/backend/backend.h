@@ -150,6 +150,11 @@ public:
     /// Reads width × height RGBA pixels of a byte a channel from the front or back, the bottom row first.
     virtual void read_pixels(bool front, int x, int y, int width, int height,
                              std::span<std::uint8_t> rgba) = 0;
+    /// Reads the depths of width × height pixels in steps of 1 / (2^24 - 1), the bottom row first. Returns
+    /// false when they cannot be read.
+    virtual bool read_depths(int x, int y, int width, int height, std::span<std::uint32_t> depths) = 0;
+    /// Reads stencil values the same way.
+    virtual bool read_stencils(int x, int y, int width, int height, std::span<std::uint8_t> values) = 0;
     virtual void flush(bool wait) = 0;
 
     virtual void resize(int width, int height) = 0;
@@ -159,7 +164,10 @@ public:
     virtual void context_lost() = 0;
     virtual void context_restored() = 0;
 
-    int maximum_texture_size = 2048; ///< In texels, both ways; the least that WebGL 2 allows.
+    int maximum_texture_size = 2048;   ///< In texels, both ways; the least that WebGL 2 allows.
+    int maximum_viewport_size = 16384; ///< In pixels, both ways.
+    int target_width = 0;              ///< Of what is drawn into, in pixels.
+    int target_height = 0;
     LegacyGLCounters counters{};
     /// The widest line that can be drawn; wider ones must come as triangles.
     float maximum_line_width = 1;

@@ -1,6 +1,7 @@
 #include "legacygl/backend/es3_backend.h"
 
 #include "legacygl/backend/es3_batch.h"
+#include "legacygl/backend/es3_depth_reader.h"
 #include "legacygl/backend/es3_fixed_state.h"
 #include "legacygl/backend/es3_functions.h"
 #include "legacygl/backend/es3_geometry.h"
@@ -43,6 +44,9 @@ public:
         : gl_(functions), target_(gl_, target, width, height)
     {
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum_texture_size);
+        std::array<GLint, 2> viewport{};
+        gl_.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+        maximum_viewport_size = std::min(viewport[0], viewport[1]);
         restore_state();
     }
 
@@ -196,6 +200,24 @@ public:
         gl_.ReadPixels(x, y, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     }
 
+    bool read_depths(int x, int y, int width, int height, std::span<std::uint32_t> depths) override
+    {
+        begin_reading_depths();
+        const bool done =
+            depth_reader_.read_depths({target_width, target_height, x, y, width, height}, depths);
+        forget_state();
+        return done;
+    }
+
+    bool read_stencils(int x, int y, int width, int height, std::span<std::uint8_t> values) override
+    {
+        begin_reading_depths();
+        const bool done =
+            depth_reader_.read_stencils({target_width, target_height, x, y, width, height}, values);
+        forget_state();
+        return done;
+    }
+
     void flush(bool wait) override
     {
         draw_waiting();
@@ -241,6 +263,12 @@ public:
     }
 
 private:
+    void begin_reading_depths()
+    {
+        draw_waiting();
+        target_.read_from(false); // Front and back have one depth buffer.
+    }
+
     void restore_state()
     {
         gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -379,6 +407,7 @@ private:
 
     const Es3Functions gl_;
     Es3Target target_;
+    Es3DepthReader depth_reader_{gl_};
     Es3FixedState fixed_{gl_, target_};
     Es3Geometries geometries_{gl_, counters};
     Es3Batch batch_; ///< What waits to be drawn: of a page of geometries_, or of stream_.

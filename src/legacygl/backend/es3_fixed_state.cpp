@@ -19,7 +19,7 @@ void Es3FixedState::apply(const BlendState& b)
 {
     set_enabled(GL_BLEND, b.enabled);
     gl_.BlendFuncSeparate(b.source_rgb, b.destination_rgb, b.source_alpha, b.destination_alpha);
-    gl_.BlendEquation(b.equation);
+    gl_.BlendEquationSeparate(b.equation, b.equation_alpha);
     gl_.BlendColor(b.color.r, b.color.g, b.color.b, b.color.a);
 }
 

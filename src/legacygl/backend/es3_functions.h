@@ -26,7 +26,7 @@ namespace legacygl {
     X(void, BindTexture, (GLenum, GLuint))                                                                   \
     X(void, BindVertexArray, (GLuint))                                                                       \
     X(void, BlendColor, (GLfloat, GLfloat, GLfloat, GLfloat))                                                \
-    X(void, BlendEquation, (GLenum))                                                                         \
+    X(void, BlendEquationSeparate, (GLenum, GLenum))                                                         \
     X(void, BlendFuncSeparate, (GLenum, GLenum, GLenum, GLenum))                                             \
     X(void, BlitFramebuffer, (GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum))   \
     X(void, BufferData, (GLenum, GLsizeiptr, const void*, GLenum))                                           \

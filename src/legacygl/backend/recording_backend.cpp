@@ -122,6 +122,18 @@ void RecordingBackend::read_pixels(bool, int, int, int, int, std::span<std::uint
     std::fill(rgba.begin(), rgba.end(), std::uint8_t{0});
 }
 
+bool RecordingBackend::read_depths(int, int, int, int, std::span<std::uint32_t> depths)
+{
+    std::fill(depths.begin(), depths.end(), 0u);
+    return true;
+}
+
+bool RecordingBackend::read_stencils(int, int, int, int, std::span<std::uint8_t> values)
+{
+    std::fill(values.begin(), values.end(), std::uint8_t{0});
+    return true;
+}
+
 void RecordingBackend::flush(bool) {}
 
 void RecordingBackend::resize(int, int) {}

@@ -58,6 +58,8 @@ public:
                      std::span<const std::uint32_t> indices, std::span<const DrawRun> runs) override;
     void clear(const Pipeline& pipeline, const Clear& clear) override;
     void read_pixels(bool front, int x, int y, int width, int height, std::span<std::uint8_t> rgba) override;
+    bool read_depths(int x, int y, int width, int height, std::span<std::uint32_t> depths) override;
+    bool read_stencils(int x, int y, int width, int height, std::span<std::uint8_t> values) override;
     void flush(bool wait) override;
     void resize(int width, int height) override;
     void present() override;

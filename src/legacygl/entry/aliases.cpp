@@ -130,6 +130,16 @@ void glBlendColorEXT(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha)
     glBlendColor(red, green, blue, alpha);
 }
 
+void glBlendEquationSeparateEXT(GLenum rgb, GLenum alpha)
+{
+    glBlendEquationSeparate(rgb, alpha);
+}
+
+void glBlendEquationSeparateATI(GLenum rgb, GLenum alpha)
+{
+    glBlendEquationSeparate(rgb, alpha);
+}
+
 void glBlendEquationEXT(GLenum mode)
 {
     glBlendEquation(mode);

@@ -70,6 +70,21 @@ void set_blend_factors(Context& gl, GLenum source_rgb, GLenum destination_rgb, G
     gl.renderer.changed(Renderer::pipeline);
 }
 
+bool is_blend_equation(GLenum mode)
+{
+    return mode == GL_FUNC_ADD || mode == GL_FUNC_SUBTRACT || mode == GL_FUNC_REVERSE_SUBTRACT ||
+           mode == GL_MIN || mode == GL_MAX;
+}
+
+void set_blend_equations(Context& gl, GLenum rgb, GLenum alpha)
+{
+    if (!is_blend_equation(rgb) || !is_blend_equation(alpha))
+        return gl.set_error(GL_INVALID_ENUM);
+    gl.state.fragment.blend.equation = rgb;
+    gl.state.fragment.blend.equation_alpha = alpha;
+    gl.renderer.changed(Renderer::pipeline);
+}
+
 } // namespace
 
 extern "C" {
@@ -89,15 +104,12 @@ void glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlp
 void glBlendEquation(GLenum mode)
 {
     dispatch(
-        __func__,
-        [](Context& gl, GLenum m) {
-            if (m != GL_FUNC_ADD && m != GL_FUNC_SUBTRACT && m != GL_FUNC_REVERSE_SUBTRACT && m != GL_MIN &&
-                m != GL_MAX)
-                return gl.set_error(GL_INVALID_ENUM);
-            gl.state.fragment.blend.equation = m;
-            gl.renderer.changed(Renderer::pipeline);
-        },
-        mode);
+        __func__, [](Context& gl, GLenum m) { set_blend_equations(gl, m, m); }, mode);
+}
+
+void glBlendEquationSeparate(GLenum modeRGB, GLenum modeAlpha)
+{
+    dispatch(__func__, set_blend_equations, modeRGB, modeAlpha);
 }
 
 void glBlendColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha)

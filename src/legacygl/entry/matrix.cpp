@@ -211,7 +211,8 @@ void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
         [](Context& gl, GLint vx, GLint vy, GLsizei w, GLsizei h) {
             if (w < 0 || h < 0)
                 return gl.set_error(GL_INVALID_VALUE);
-            gl.state.transform.viewport = {vx, vy, w, h};
+            const int greatest = gl.backend->maximum_viewport_size;
+            gl.state.transform.viewport = {vx, vy, std::min(w, greatest), std::min(h, greatest)};
             gl.renderer.changed(Renderer::pipeline | Renderer::matrices); // Points are rounded within it.
         },
         x, y, width, height);

@@ -3,7 +3,8 @@
 #include "legacygl/dispatch.h"
 #include "legacygl/pixel_conversion.h"
 #include "legacygl/read_back.h"
-#include "legacygl/undone.h"
+
+#include <vector>
 
 using namespace legacygl;
 
@@ -47,6 +48,25 @@ void set_store(Context& gl, GLenum name, GLint value)
     }
 }
 
+/// Reads what lies beside the colours. Returns false when that is impossible here.
+bool read_depths_or_stencils(Context& gl, const PixelRectangle& r, const PixelStore& store, GLenum format,
+                             GLenum type, std::uint8_t* out)
+{
+    const auto count = static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height);
+    if (format == GL_DEPTH_COMPONENT) {
+        std::vector<std::uint32_t> depths(count);
+        if (!gl.backend->read_depths(r.x, r.y, r.width, r.height, depths))
+            return false;
+        pack_depths(store, r.width, r.height, type, depths, out);
+        return true;
+    }
+    std::vector<std::uint8_t> values(count);
+    if (!gl.backend->read_stencils(r.x, r.y, r.width, r.height, values))
+        return false;
+    pack_stencils(store, r.width, r.height, type, values, out);
+    return true;
+}
+
 } // namespace
 
 extern "C" {
@@ -68,11 +88,10 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
         [pixels](Context& gl, GLint left, GLint bottom, GLsizei w, GLsizei h, GLenum f, GLenum t) {
             if (w < 0 || h < 0)
                 return gl.set_error(GL_INVALID_VALUE);
-            if (f == GL_DEPTH_COMPONENT || f == GL_STENCIL_INDEX) {
-                LEGACYGL_REFUSE("glReadPixels of depth and stencil");
-                return;
-            }
-            if (const GLenum error = format_type_error(f, t); error != GL_NO_ERROR)
+            const bool colors = f != GL_DEPTH_COMPONENT && f != GL_STENCIL_INDEX;
+            // Depths and stencil values are one number a pixel, as a luminance is.
+            if (const GLenum error = format_type_error(colors ? f : GLenum{GL_LUMINANCE}, t);
+                error != GL_NO_ERROR)
                 return gl.set_error(error);
             const PixelRectangle r = clip_to_frame(gl, left, bottom, w, h);
             if (r.empty())
@@ -81,8 +100,11 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
             store.row_length = store.row_length > 0 ? store.row_length : w;
             store.skip_pixels += r.skipped_left;
             store.skip_rows += r.skipped_below;
-            pack_pixels(store, r.width, r.height, f, t, read_frame(gl, r), ToLuminance::sum,
-                        static_cast<std::uint8_t*>(pixels));
+            auto* out = static_cast<std::uint8_t*>(pixels);
+            if (colors)
+                pack_pixels(store, r.width, r.height, f, t, read_frame(gl, r), ToLuminance::sum, out);
+            else if (!read_depths_or_stencils(gl, r, store, f, t, out))
+                gl.set_error(GL_INVALID_OPERATION);
         },
         x, y, width, height, format, type);
 }

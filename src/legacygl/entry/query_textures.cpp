@@ -32,6 +32,8 @@ QueryValue parameter_value(TextureParameters& p, GLenum name)
         return QueryValue::integer(p.sampling.max_level);
     case GL_TEXTURE_MIN_LOD:
         return real(p.sampling.min_lod);
+    case GL_TEXTURE_LOD_BIAS:
+        return real(p.lod_bias);
     case GL_TEXTURE_MAX_LOD:
         return real(p.sampling.max_lod);
     case GL_TEXTURE_BORDER_COLOR:

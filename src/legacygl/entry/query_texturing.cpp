@@ -42,8 +42,12 @@ QueryValue combine_value(const TextureUnit& unit, GLenum name)
     }
 }
 
-QueryValue environment_value(const TextureUnit& unit, GLenum name)
+QueryValue environment_value(const TextureUnit& unit, GLenum target, GLenum name)
 {
+    if (target == GL_TEXTURE_FILTER_CONTROL && name == GL_TEXTURE_LOD_BIAS)
+        return {QueryValue::Kind::real, static_cast<double>(unit.lod_bias)};
+    if (target != GL_TEXTURE_ENV)
+        return {};
     if (name == GL_TEXTURE_ENV_MODE)
         return QueryValue::integer(unit.environment_mode);
     if (name == GL_TEXTURE_ENV_COLOR) {
@@ -66,8 +70,7 @@ template <class T> void get_environment(const char* entry, GLenum target, GLenum
     dispatch_now(
         entry,
         [params](Context& gl, GLenum t, GLenum n) {
-            const QueryValue value =
-                t == GL_TEXTURE_ENV ? environment_value(gl.state.texturing.unit(), n) : QueryValue{};
+            const QueryValue value = environment_value(gl.state.texturing.unit(), t, n);
             if (value.count == 0)
                 return gl.set_error(GL_INVALID_ENUM);
             write_values(value, params);

@@ -97,10 +97,14 @@ GLenum set_combine(TextureUnit& unit, GLenum name, float v)
 
 void set_environment(Context& gl, GLenum target, GLenum name, const Values& v)
 {
-    if (target != GL_TEXTURE_ENV)
-        return gl.set_error(GL_INVALID_ENUM);
     TextureUnit& unit = gl.state.texturing.unit();
     gl.renderer.changed(Renderer::texturing);
+    if (target == GL_TEXTURE_FILTER_CONTROL && name == GL_TEXTURE_LOD_BIAS) {
+        unit.lod_bias = v[0];
+        return;
+    }
+    if (target != GL_TEXTURE_ENV)
+        return gl.set_error(GL_INVALID_ENUM);
     if (name == GL_TEXTURE_ENV_COLOR) {
         for (int i = 0; i < 4; ++i)
             unit.environment_color[i] = std::clamp(v[i], 0.0f, 1.0f);

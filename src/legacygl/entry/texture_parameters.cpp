@@ -61,6 +61,9 @@ GLenum set(TextureParameters& p, GLenum name, const Values& v)
     case GL_TEXTURE_MAX_LOD:
         p.sampling.max_lod = v[0];
         return GL_NO_ERROR;
+    case GL_TEXTURE_LOD_BIAS:
+        p.lod_bias = v[0];
+        return GL_NO_ERROR;
     case GL_TEXTURE_BORDER_COLOR:
         p.border_color = {v[0], v[1], v[2], v[3]};
         return GL_NO_ERROR;

@@ -95,8 +95,7 @@ LEGACYGL_UNDONE(glEvalMesh2, (GLenum, GLint, GLint, GLint, GLint))
 // Accumulation.
 LEGACYGL_UNDONE(glAccum, (GLenum, GLfloat))
 
-// Newer than OpenGL 1.1: volumes, compressed images, separate equations and the imaging subset.
-LEGACYGL_UNDONE(glBlendEquationSeparateATI, (GLenum, GLenum))
+// Newer than OpenGL 1.1: volumes, compressed images and the imaging subset.
 LEGACYGL_UNDONE(glTexImage3D,
                 (GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const GLvoid*))
 LEGACYGL_UNDONE(glTexSubImage3D, (GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum,

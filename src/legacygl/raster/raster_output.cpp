@@ -67,9 +67,10 @@ void RasterOutput::add(const glm::vec4& clip, const glm::vec4& extra, const Vary
 
 void RasterOutput::point(const ShadedVertex& vertex)
 {
-    begin({PrimitiveClass::points, Coverage::whole, false, false, 0, 0, {}},
+    begin({PrimitiveClass::points, Coverage::whole, false, true, 0, 0, {}},
           box_of({&vertex, 1}, vertex.point_size / 2));
-    add(vertex.clip, glm::vec4(rasterised_point_size(vertex.point_size)), vertex.varyings);
+    add(viewport_.clip(vertex.window, VIEWPORT_MARGIN), glm::vec4(rasterised_point_size(vertex.point_size)),
+        vertex.varyings);
 }
 
 void RasterOutput::line(const ShadedVertex& a, const ShadedVertex& b)

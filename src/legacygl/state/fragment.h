@@ -29,7 +29,8 @@ struct BlendState
     GLenum destination_rgb = GL_ZERO;
     GLenum source_alpha = GL_ONE;
     GLenum destination_alpha = GL_ZERO;
-    GLenum equation = GL_FUNC_ADD;
+    GLenum equation = GL_FUNC_ADD; ///< Of the colours.
+    GLenum equation_alpha = GL_FUNC_ADD;
     glm::vec4 color{0, 0, 0, 0};
     bool operator==(const BlendState&) const = default;
 };

@@ -57,6 +57,7 @@ struct State
     HintState hints;
     MultisampleState multisample;
     ColorIndexState color_index;
+    bool auto_normal = false; ///< Of evaluators, which are not implemented.
     GLuint list_base = 0;
 };
 

@@ -13,6 +13,9 @@
 
 namespace legacygl {
 
+/// The greatest sum of a texture's and its unit's bias of the level of detail; Mesa's is the same.
+constexpr GLfloat MAXIMUM_TEXTURE_LOD_BIAS = 16;
+
 /// One mipmap level, its texels as RGBA bytes as they are sampled; kept so that a lost context can be
 /// rebuilt.
 struct TextureImage
@@ -30,6 +33,7 @@ struct TextureParameters
 {
     Sampling sampling;
     GLenum wrap_r = GL_REPEAT;
+    GLfloat lod_bias = 0;
     glm::vec4 border_color{0, 0, 0, 0};
     GLfloat priority = 1;
     bool generate_mipmap = false;
@@ -89,6 +93,7 @@ struct TextureUnit
     std::array<GLuint, TEXTURE_TARGET_COUNT> bound{};
     GLenum environment_mode = GL_MODULATE;
     glm::vec4 environment_color{0, 0, 0, 0};
+    GLfloat lod_bias = 0; ///< Besides that of the texture.
     Combine combine_rgb;
     Combine combine_alpha;
     std::array<TextureGeneration, 4> generation; ///< s, t, r, q
@@ -115,6 +120,8 @@ struct TexturingState
     /// Returns the texture bound to a target of a unit.
     Texture& bound(const TextureUnit& unit, TextureTarget target) const;
     Texture& bound(TextureTarget target) const { return bound(unit(), target); }
+    /// Returns what is added to the level of detail of a unit's texture (OpenGL 1.5, 3.8.8).
+    static GLfloat lod_bias(const TextureUnit& unit, const Texture& texture);
     /// Returns the texture that the unit draws with: the enabled target of the highest precedence, if its
     /// texture is complete; else null.
     Texture* used(const TextureUnit& unit) const;

@@ -120,7 +120,7 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glFrontFace, glLineWidth, glLineStipple, glPointSize, glPointParameter, glProvokingVertex, glPolygonMode,
    glPolygonStipple, glPolygonOffset, glEdgeFlag, glClipPlane, glGetClipPlane, glGetPolygonStipple, glLogicOp,
    glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp, glStencilMask, glBlendFunc,
-   glBlendFuncSeparate, glBlendEquation, glBlendColor, glColorMask, glIndexMask, glSampleCoverage, glFog;
+   glBlendFuncSeparate, glBlendEquation, glBlendEquationSeparate, glBlendColor, glColorMask, glIndexMask, glSampleCoverage, glFog;
    glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex, glClearAccum, glDrawBuffer,
    glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays (glVertexPointer …
    glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib, glPushClientAttrib,
@@ -133,9 +133,9 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glDrawPixels, glCopyPixels, glPixelZoom, glPixelTransfer, glPixelMap, glGetPixelMap; glRenderMode but for
    GL_RENDER, glSelectBuffer, glFeedbackBuffer, glPassThrough (glInitNames, glLoadName, glPushName and
    glPopName do nothing, as in OpenGL outside selection); glMap, glGetMap, glMapGrid, glEvalCoord, glEvalMesh,
-   glEvalPoint; glAccum; reading depth and stencil with glReadPixels and images of colour indices; and what
+   glEvalPoint; glAccum; images of colour indices; and what
    <GL/gl.h> declares of volumes (glTexImage3D …), of compressed images (glCompressedTexImage2D …) and of the
-   imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …), and glBlendEquationSeparateATI.
+   imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …).
 
    Differences: GL_POLYGON_SMOOTH has no effect, as in Mesa's software renderer; smooth lines and points have
    a coverage that falls over their last pixel, not an exact one. Edge flags count for all polygons, strips
@@ -144,7 +144,8 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    so; a texture's border texels are dropped, and the border's colour stands for them, as with Mesa. Texels
    copied from the frame buffer are read back to the CPU. A window's framebuffer has no front of its own:
    drawing into the front draws into the back. Multisampling and colour indices are state that nothing shows.
-   There are no accumulation and no auxiliary buffers, and no stereo. */
+   There are no accumulation and no auxiliary buffers, and no stereo. Depths and stencil values are read through
+   a copy; a window with antialiasing refuses that with GL_INVALID_OPERATION, an own target never does. */
 
 #ifdef __cplusplus
 }

@@ -54,8 +54,6 @@ void glBegin(GLenum mode)
             return;
     }
     gl->begin(mode);
-    if (gl->compiler)
-        gl->immediate.set_indexed(); // Quads are then cut as in the list, see QuadCut.
 }
 
 void glEnd()

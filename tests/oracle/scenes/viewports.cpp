@@ -136,8 +136,8 @@ SCENE(flattening_and_mirroring_matrices_light)
     oracle::torus(0.8f, 0.3f, 8, 12);
 }
 
-/// A quad of a list is cut along another diagonal, also when it is executed while the list is made.
-SCENE(quads_compiled_and_executed_are_cut_as_in_the_list)
+/// A quad of a list is cut along another diagonal, but not when it is executed while the list is made.
+SCENE(quads_compiled_and_executed_are_cut_as_those_drawn_at_once)
 {
     glClear(GL_COLOR_BUFFER_BIT);
     glScalef(0.45f, 0.9f, 1);

@@ -11,9 +11,9 @@
 
 namespace app {
 
-/// Follows a state and knows which joints move right now: those that have changed within the last two fifths of a
-/// second, so that a drag, which comes in jumps, is one movement. Driving moves the body, as turning it does.
-/// Plain data; it belongs to the viewer, not to a link.
+/// Follows a state and knows which joints move right now: those that have changed within the last two fifths
+/// of a second, so that a drag, which comes in jumps, is one movement. Driving moves the body, as turning it
+/// does. Plain data; it belongs to the viewer, not to a link.
 class Motion
 {
 public:

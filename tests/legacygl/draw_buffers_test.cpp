@@ -164,4 +164,26 @@ TEST_F(DrawBuffers, TheBufferBelongsToTheAttributes)
     EXPECT_EQ(read(GL_BACK), RED);
 }
 
+TEST_F(DrawBuffers, ANewContextBeginsClearedWhateverTheLastOneLeft)
+{
+    open(LEGACYGL_TARGET_OWN);
+    clear(GL_BACK, RED);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 2, 2);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(0);
+    draw(GL_BACK, GREEN);
+    glFinish();
+    legacygl_destroy(gl_);
+    gl_ = legacygl_create(platform::find_egl_function, 8, 8, LEGACYGL_TARGET_OWN);
+    ASSERT_NE(gl_, nullptr);
+    EXPECT_EQ(read(GL_BACK), BLACK);
+    EXPECT_EQ(read(GL_FRONT), BLACK);
+    glEnable(GL_DEPTH_TEST);
+    draw(GL_BACK, BLUE);
+    EXPECT_EQ(read(GL_BACK), BLUE) << "the depth buffer is clear, too";
+}
+
 } // namespace

@@ -70,6 +70,10 @@ GLuint Es3Target::make_framebuffer(const Buffers& buffers, Which which)
     }
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                                 buffers.depth_stencil);
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.DepthMask(GL_TRUE);
+    gl_.StencilMask(~0u);
     gl_.ClearColor(0, 0, 0, 0);
     gl_.ClearDepthf(1);
     gl_.ClearStencil(0);
@@ -131,10 +135,6 @@ void Es3Target::resize(int width, int height)
     if (!own())
         return;
     Buffers old = buffers_;
-    gl_.Disable(GL_SCISSOR_TEST);
-    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl_.DepthMask(GL_TRUE);
-    gl_.StencilMask(~0u);
     buffers_ = make_buffers();
     copy(old, buffers_, back, kept_width, kept_height,
          GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);

@@ -120,14 +120,14 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    glFrontFace, glLineWidth, glLineStipple, glPointSize, glPointParameter, glProvokingVertex, glPolygonMode,
    glPolygonStipple, glPolygonOffset, glEdgeFlag, glClipPlane, glGetClipPlane, glGetPolygonStipple, glLogicOp,
    glDepthFunc, glDepthMask, glAlphaFunc, glScissor, glStencilFunc, glStencilOp, glStencilMask, glBlendFunc,
-   glBlendFuncSeparate, glBlendEquation, glBlendEquationSeparate, glBlendColor, glColorMask, glIndexMask, glSampleCoverage, glFog;
-   glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex, glClearAccum, glDrawBuffer,
-   glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays (glVertexPointer …
-   glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib, glPushClientAttrib,
-   glPopClientAttrib; glGet, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen, glGetTexParameter,
-   glGetTexLevelParameter, glGetPointerv, glGetError, glGetString, glHint; and their names as extensions,
-   which glGetString(GL_EXTENSIONS) lists. Of GLU: projections, quadrics, mipmaps, glu strings; what GLU lacks
-   says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
+   glBlendFuncSeparate, glBlendEquation, glBlendEquationSeparate, glBlendColor, glColorMask, glIndexMask,
+   glSampleCoverage, glFog; glClear, glClearColor, glClearDepth, glClearStencil, glClearIndex, glClearAccum,
+   glDrawBuffer, glReadBuffer, glFlush, glFinish, glReadPixels, glPixelStore; the vertex arrays
+   (glVertexPointer … glDrawElements, glInterleavedArrays) and buffer objects; glPushAttrib, glPopAttrib,
+   glPushClientAttrib, glPopClientAttrib; glGet, glGetLight, glGetMaterial, glGetTexEnv, glGetTexGen,
+   glGetTexParameter, glGetTexLevelParameter, glGetPointerv, glGetError, glGetString, glHint; and their names
+   as extensions, which glGetString(GL_EXTENSIONS) lists. Of GLU: projections, quadrics, mipmaps, glu strings;
+   what GLU lacks says so once on stderr when it is called (src/legacygl/glu/unimplemented.cpp names it).
 
    Not implemented: a call sets GL_INVALID_OPERATION and says so once on stderr: glRasterPos, glBitmap,
    glDrawPixels, glCopyPixels, glPixelZoom, glPixelTransfer, glPixelMap, glGetPixelMap; glRenderMode but for
@@ -144,8 +144,9 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    so; a texture's border texels are dropped, and the border's colour stands for them, as with Mesa. Texels
    copied from the frame buffer are read back to the CPU. A window's framebuffer has no front of its own:
    drawing into the front draws into the back. Multisampling and colour indices are state that nothing shows.
-   There are no accumulation and no auxiliary buffers, and no stereo. Depths and stencil values are read through
-   a copy; a window with antialiasing refuses that with GL_INVALID_OPERATION, an own target never does. */
+   There are no accumulation and no auxiliary buffers, and no stereo. Depths and stencil values are read
+   through a copy; a window with antialiasing refuses that with GL_INVALID_OPERATION, an own target never
+   does. */
 
 #ifdef __cplusplus
 }

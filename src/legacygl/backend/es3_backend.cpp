@@ -8,6 +8,7 @@
 #include "legacygl/backend/es3_shader.h"
 #include "legacygl/backend/es3_stream.h"
 #include "legacygl/backend/es3_target.h"
+#include "legacygl/backend/es3_textures.h"
 
 #include <cstdio>
 #include <optional>
@@ -92,59 +93,31 @@ public:
         geometries_.destroy(id);
     }
 
-    TextureId create_texture() override
-    {
-        GLuint name = 0;
-        gl_.GenTextures(1, &name);
-        return name;
-    }
+    TextureId create_texture() override { return textures_.create(); }
 
     void destroy_texture(TextureId id) override
     {
         draw_waiting();
-        gl_.DeleteTextures(1, &id);
-        for (TextureId& bound : bound_textures_)
-            if (bound == id)
-                bound = 0;
+        textures_.destroy(id);
     }
 
     void texture_image(TextureId id, int level, int width, int height,
                        std::span<const std::uint8_t> rgba) override
     {
         draw_waiting();
-        bind_texture(id);
-        gl_.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                       rgba.data());
-        ++counters.uploads;
-        counters.upload_bytes += rgba.size();
+        textures_.image(id, level, width, height, rgba);
     }
 
     void generate_mipmap(TextureId id) override
     {
         draw_waiting();
-        bind_texture(id);
-        gl_.GenerateMipmap(GL_TEXTURE_2D);
+        textures_.generate_mipmap(id);
     }
 
     void sampling(TextureId id, const Sampling& sampling) override
     {
         draw_waiting();
-        bind_texture(id);
-        const auto set = [this](GLenum name, GLenum value) {
-            gl_.TexParameteri(GL_TEXTURE_2D, name, static_cast<GLint>(value));
-        };
-        // ES has no borders: the shader mixes their colour in (shader_border_text.cpp).
-        const auto wrap = [](GLenum mode) {
-            return mode == GL_CLAMP || mode == GL_CLAMP_TO_BORDER ? GLenum{GL_CLAMP_TO_EDGE} : mode;
-        };
-        set(GL_TEXTURE_MIN_FILTER, sampling.minify);
-        set(GL_TEXTURE_MAG_FILTER, sampling.magnify);
-        set(GL_TEXTURE_WRAP_S, wrap(sampling.wrap_s));
-        set(GL_TEXTURE_WRAP_T, wrap(sampling.wrap_t));
-        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, sampling.base_level);
-        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, sampling.max_level);
-        gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, sampling.min_lod);
-        gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, sampling.max_lod);
+        textures_.sampling(id, sampling);
     }
 
     bool draw(const DrawState& state, GeometryId id, std::span<const DrawRun> runs) override
@@ -283,8 +256,7 @@ private:
     {
         fixed_.forget();
         used_program_ = 0;
-        bound_textures_ = {};
-        active_unit_ = -1;
+        textures_.forget_binding();
         geometries_.forget_binding();
         constants_ = {};
     }
@@ -354,19 +326,6 @@ private:
         ++counters.uniform_uploads;
     }
 
-    /// Binds the texture to the unit, which is then the active one if anything had to be done.
-    void bind_texture(TextureId id, int unit = 0)
-    {
-        if (bound_textures_[unit] == id && (active_unit_ == unit))
-            return;
-        if (active_unit_ != unit)
-            gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        active_unit_ = unit;
-        if (bound_textures_[unit] != id)
-            gl_.BindTexture(GL_TEXTURE_2D, id);
-        bound_textures_[unit] = id;
-    }
-
     bool has_constants(const DrawState& state, const VertexFormat& format) const
     {
         bool all = true;
@@ -399,7 +358,7 @@ private:
                 upload(program, i, state.uniforms[i]);
         for (int unit = SAMPLER_COUNT; unit-- > 0;)
             if (state.textures[unit] != 0)
-                bind_texture(state.textures[unit], unit);
+                textures_.bind(state.textures[unit], unit);
         fixed_.apply(state.pipeline);
         apply_constants(state, format);
         return program.name != 0;
@@ -409,6 +368,7 @@ private:
     Es3Target target_;
     Es3DepthReader depth_reader_{gl_};
     Es3FixedState fixed_{gl_, target_};
+    Es3Textures textures_{gl_, counters};
     Es3Geometries geometries_{gl_, counters};
     Es3Batch batch_; ///< What waits to be drawn: of a page of geometries_, or of stream_.
     Es3Stream stream_;
@@ -422,8 +382,6 @@ private:
     bool lost_ = false;
     std::array<std::optional<glm::vec4>, ATTRIBUTE_COUNT> constants_;
     GLuint used_program_ = 0;
-    std::array<TextureId, SAMPLER_COUNT> bound_textures_{};
-    int active_unit_ = -1; ///< -1: not known.
 };
 
 } // namespace

@@ -269,7 +269,8 @@ TEST(Views, TheEyeIsAboveTheGroundInAll)
     std::mt19937_64 random(5);
     for (int i = 0; i < 2000; ++i) {
         const State state = random_state(random);
-        for (const PaneInFrame& pane : make_frame(state, own_assets()).used_panes()) {
+        const Frame frame = make_frame(state, own_assets());
+        for (const PaneInFrame& pane : frame.used_panes()) {
             EXPECT_GT(pane.camera.eye.y, 0.0) << link(state);
             EXPECT_LT(pane.camera.near_plane, pane.camera.far_plane);
         }

@@ -167,7 +167,7 @@ constexpr double NEAREST_THRESHOLD = 1.0;
 
 /// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds that no patches
 /// differ from 132.7 m on; there, side by side, an eye still finds the camouflage, which one colour a part
-/// cannot have, and here it has to guess.
+/// cannot have. Here it finds it hard, and only magnified pairs are told apart with certainty.
 constexpr std::int64_t DEFAULT_THRESHOLD = 259'000;
 
 /// Where the projectile and its line can be: round everything that the tank can drive to. Metres.

@@ -97,10 +97,20 @@ void note_calls(Context& gl, const VertexBatch& batch)
             note_call(gl, static_cast<Attribute>(i), batch.last[i]);
 }
 
+/// Begins a primitive whose vertices count as having got attributes one by one if they had in the list, also
+/// those that are the same for all: Mesa interpolates such a colour, which may end a rounding beside it.
+void begin_varying(Context& gl, GLenum mode, const VertexBatch& batch)
+{
+    gl.begin(mode);
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+        if (batch.varies(static_cast<Attribute>(i)))
+            gl.immediate.set_varying(static_cast<Attribute>(i));
+}
+
 void replay_vertices(Context& gl, const VertexBatch& batch)
 {
     visit(
-        batch, [&](GLenum mode) { gl.begin(mode); }, [&] { gl.end(); },
+        batch, [&](GLenum mode) { begin_varying(gl, mode, batch); }, [&] { gl.end(); },
         [&](Attribute a, int n, const glm::vec4& v) {
             if (n != 0)
                 gl.immediate.attribute(a, n, v);

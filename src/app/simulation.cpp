@@ -128,6 +128,7 @@ void Simulation::replay()
     const std::uint32_t age = state_.event.age;
     app::begin_event(state_, state_.event.kind, 0);
     state_.tick = 0;
+    sparks_.put_out(); // a link says all there is, and nothing of what was before it
     begin_event();
     const Camera camera = state_.camera; // a link says where the eye is now, not where it was then
     for (std::uint32_t tick = 0; tick < age; ++tick) {

@@ -40,6 +40,12 @@ void Sparks::begin(std::uint64_t seed)
     current().shower.restart(~seed); // other numbers than the bursts'
 }
 
+void Sparks::put_out()
+{
+    begin(0);
+    begin(0); // of the event before, too
+}
+
 void Sparks::burst(const glm::dvec3& position)
 {
     current().bursts.burst(particles::preset(PresetName::sparks).burst_count, glm::vec3(position), AT_REST);

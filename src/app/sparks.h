@@ -21,6 +21,9 @@ public:
     /// Begins the sparks of an event: none yet, the random numbers of `seed`.
     void begin(std::uint64_t seed);
 
+    /// Leaves no spark alight, neither of the event that goes on nor of the one before it.
+    void put_out();
+
     /// Makes one burst. Metres.
     void burst(const glm::dvec3& position);
 

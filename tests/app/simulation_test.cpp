@@ -269,6 +269,32 @@ TEST(SimulationTest, TheFrameShowsWhatIsPenetratedAndWires)
     EXPECT_TRUE(simulation.frame().used_spheres().empty());
 }
 
+/// Returns how many sparks are alight, those of an event before included.
+std::size_t sparks_alight(const Simulation& simulation)
+{
+    std::size_t count = 0;
+    for (const particles::ParticleSystem* system : simulation.sparks().systems()) {
+        count += system->view().count();
+    }
+    return count;
+}
+
+TEST(SimulationTest, AnOpenedLinkHasItsOwnSparksAloneWhateverWasOpenBefore)
+{
+    constexpr std::string_view UNDER_WAY = "task=2.6&speed=30&event=fire&tick=16";
+    Simulation simulation(own_assets());
+    open(simulation, UNDER_WAY);
+    const std::size_t sparks = sparks_alight(simulation);
+    ASSERT_GT(sparks, 50u);
+    open(simulation, UNDER_WAY);
+    EXPECT_EQ(sparks_alight(simulation), sparks);
+    open(simulation, "task=2.6&speed=30&event=fire&tick=12");
+    EXPECT_EQ(sparks_alight(simulation), 0u) << "nothing is met yet";
+    open(simulation, UNDER_WAY);
+    open(simulation, "turret=10");
+    EXPECT_EQ(sparks_alight(simulation), 0u);
+}
+
 TEST(SimulationTest, JsonHasTheHits)
 {
     Simulation simulation(own_assets());

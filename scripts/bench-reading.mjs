@@ -10,7 +10,6 @@ import { serve } from "./serve.mjs";
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const PAGE = path.join(ROOT, "build/web-build/tests/bench/page");
 const OBJECTS = path.join(ROOT, "assets/tankobjs");
-const PARTS = ["tankbody", "tankturret", "tankmaingun", "tanksecondarygun", "tankwheel"];
 const ROUNDS = 11;
 const TIMEOUT = 120_000;
 
@@ -21,7 +20,7 @@ export async function measureReading(say) {
   say("reading OBJ files: Chromium");
   const bundled = path.join(PAGE, "reading.bundle.js");
   await esbuild.build({ entryPoints: [path.join(ROOT, "tests/bench/page/reading.js")], bundle: true, outfile: bundled, logLevel: "warning" });
-  const files = ["", "Low"].flatMap((level) => PARTS.map((part) => `${part}${level}.obj`));
+  const files = fs.readdirSync(OBJECTS).filter((name) => name.endsWith(".obj"));
   const texts = files.map((name) => [name, fs.readFileSync(path.join(OBJECTS, name), "utf8")]);
   const server = await serve(PAGE, { isolated: true });
   const browser = await launch("chromium");

@@ -6,7 +6,6 @@ namespace legacygl {
 
 void Es3Stream::begin(const VertexFormat& format)
 {
-    format_ = format;
     floats_ = static_cast<std::uint32_t>(format.floats());
     vertices_.clear();
     indices_.clear();

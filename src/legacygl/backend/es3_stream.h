@@ -17,7 +17,6 @@ public:
     void begin(const VertexFormat& format);
     /// Whether enough waits, so that the graphics processor has something to do meanwhile.
     bool full() const;
-    const VertexFormat& format() const { return format_; }
 
     /// Where the vertices and indices added next will begin.
     std::uint32_t first_vertex() const { return static_cast<std::uint32_t>(vertices_.size()) / floats_; }
@@ -32,7 +31,6 @@ public:
     std::span<const float> slots();
 
 private:
-    VertexFormat format_;
     std::uint32_t floats_ = 1;
     std::vector<float> vertices_;
     std::vector<std::uint32_t> indices_;

@@ -2,13 +2,14 @@
 // three.js, whose OBJLoader most pages use.
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 
-/** Gives { name: milliseconds of each round }; the readers take turns. files: [[name, bytes]], in our order. */
+/** Gives { name: milliseconds of each round }; the readers take turns. files: [[name, text]]. */
 window.reading = async (files, rounds) => {
   const module = await createReading({ canvas: document.getElementById("reading") });
   if (!module.ccall("reading_open", "number", ["string"], ["#reading"])) throw new Error("the canvas cannot open");
   const contents = files.map(([, text]) => new TextEncoder().encode(text));
   contents.forEach((bytes, index) => {
-    const place = module._reading_file(index, bytes.length);
+    const place = module.ccall("reading_file", "number", ["string", "number"], [files[index][0], bytes.length]);
+    if (place === 0) throw new Error(`${files[index][0]} is no file of the tank`);
     module.HEAPU8.set(bytes, place);
   });
 

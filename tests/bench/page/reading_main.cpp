@@ -1,6 +1,7 @@
 // Reads the tank's OBJ files into display lists in a page, as the program does at its start: what reading.js
 // measures beside another reader. The files' bytes come from the page.
 
+#include "app/assets.h"
 #include "app/track_links.h"
 #include "mesh/obj_reader.h"
 #include "scene/tank_lists.h"
@@ -20,20 +21,25 @@ namespace {
 
 constexpr double WHEEL_RADIUS = 0.36; // metres: near enough to find the links by
 
-std::array<std::string, 2 * tank::MESH_KIND_COUNT> texts; // the high meshes, then the low ones
+std::array<std::string, app::MESH_FILE_COUNT> texts; // by app::mesh_files()
 scene::TankLists lists;
 
 /// Reads a level's five files. Returns their triangles, 0 when one is not read.
-std::size_t read(std::size_t first, scene::TankLists::Meshes& meshes)
+std::size_t read(app::Level level, scene::TankLists::Meshes& meshes)
 {
     std::size_t triangles = 0;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        const mesh::Result<mesh::ObjMesh> read = mesh::read_obj("bench.obj", texts[first + i]);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const app::MeshFile& file = app::mesh_files()[i];
+        if (file.level != level) {
+            continue;
+        }
+        const mesh::Result<mesh::ObjMesh> read = mesh::read_obj(file.name, texts[i]);
         if (!read) {
             return 0;
         }
-        meshes[i] = read.value();
-        triangles += meshes[i].faces.size();
+        mesh::ObjMesh& mesh = meshes[tank::index_of(file.mesh)];
+        mesh = read.value();
+        triangles += mesh.faces.size();
     }
     return triangles;
 }
@@ -53,11 +59,16 @@ EMSCRIPTEN_KEEPALIVE int reading_open(const char* canvas)
            legacygl_create(nullptr, 16, 16, LEGACYGL_TARGET_WINDOW) != nullptr;
 }
 
-/// Returns where the bytes of a file are to be put: in the order of tank::MeshKind, the high ones first.
-EMSCRIPTEN_KEEPALIVE char* reading_file(int index, int size)
+/// Returns where the bytes of a file are to be put; null when the tank has no file of that name.
+EMSCRIPTEN_KEEPALIVE char* reading_file(const char* name, int size)
 {
-    texts.at(index).resize(size);
-    return texts.at(index).data();
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (app::mesh_files()[i].name == name) {
+            texts[i].resize(size);
+            return texts[i].data();
+        }
+    }
+    return nullptr;
 }
 
 /// Reads all files into display lists. with_links: also those of the links' steps, which move.
@@ -65,7 +76,7 @@ EMSCRIPTEN_KEEPALIVE char* reading_file(int index, int size)
 EMSCRIPTEN_KEEPALIVE int reading_run(int with_links)
 {
     scene::TankLists::Meshes high, low;
-    const std::size_t triangles = read(0, high), low_triangles = read(tank::MESH_KIND_COUNT, low);
+    const std::size_t triangles = read(app::Level::high, high), low_triangles = read(app::Level::low, low);
     app::TrackLinks links;
     if (with_links) {
         links = app::find_track_links(high[tank::index_of(tank::MeshKind::body)], WHEEL_RADIUS);

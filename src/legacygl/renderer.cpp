@@ -1,6 +1,6 @@
 #include "legacygl/renderer.h"
 
-#include "legacygl/quad_cut.h"
+#include "legacygl/quad_order.h"
 #include "legacygl/shader_text.h"
 #include "legacygl/shader_values.h"
 
@@ -205,11 +205,11 @@ void Renderer::for_each_program(const State& state, const VertexBatch& batch, st
 void Renderer::draw(const State& state, const VertexBatch& batch)
 {
     if (const std::optional<RasterWork> work = raster_work(state, batch))
-        return draw_shaded(state, batch, *work);
+        return draw_shaded(state, batch, *work, false);
     runs_.clear();
     indices_.clear();
-    QuadCut quad_cut(state, batch, takes_vertex_color(state, batch));
-    make_runs(batch.primitives, runs_, indices_, &quad_cut);
+    QuadOrders quad_orders(state, batch, takes_vertex_color(state, batch), false);
+    make_runs(batch.primitives, runs_, indices_, &quad_orders);
     for_each_program(state, batch, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
         backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
     });
@@ -218,7 +218,7 @@ void Renderer::draw(const State& state, const VertexBatch& batch)
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
     if (const std::optional<RasterWork> work = raster_work(state, geometry.batch))
-        return draw_shaded(state, geometry.batch, *work);
+        return draw_shaded(state, geometry.batch, *work, true);
     if (!geometry.object.valid())
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
@@ -262,7 +262,7 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const Vertex
     return batch.modes & needed ? std::optional(work) : std::nullopt;
 }
 
-void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work)
+void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list)
 {
     ShaderKey key = make_shader_key(state, PrimitiveClass::triangles, batch.varies(Attribute::color));
     key.specular = key.specular || shines(batch);
@@ -271,11 +271,10 @@ void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const R
     RasterOutput output(key, shading.viewport(), state.raster.line_width / 2,
                         state.fragment.effective_logic_op() != GL_COPY);
     PrimitivePipeline stages(state, key, work, shading, stipple_counter_, output);
-    QuadCut quad_cut(state, batch, takes_vertex_color(state, batch) || work.unfilled);
+    QuadOrders quad_orders(state, batch, takes_vertex_color(state, batch), in_list);
     for (std::size_t p = 0; p < batch.primitives.size(); ++p) {
         const Primitive& primitive = batch.primitives[p];
-        const bool from_first = primitive.mode == GL_QUADS && quad_cut.from_first(p);
-        stages.draw(primitive.mode, from_first,
+        stages.draw(primitive.mode, quad_orders.of(p),
                     std::span(vertices).subspan(primitive.first, primitive.count));
     }
     draw_shaded(state, key, work, output);

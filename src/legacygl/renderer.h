@@ -52,7 +52,7 @@ private:
     const DrawState& prepare(const State& state, const ShaderKey& key);
     std::optional<RasterWork> raster_work(const State& state, const VertexBatch& batch) const;
     bool viewport_holds_target(const State& state) const;
-    void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work);
+    void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list);
     void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
                      const RasterOutput& output);
     void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,

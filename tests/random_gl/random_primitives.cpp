@@ -39,37 +39,43 @@ void RandomStream::loose_primitive()
                                    "GL_TRIANGLES",    "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN", "GL_QUAD_STRIP",
                                    "GL_POLYGON",      "GL_QUADS"};
     const int mode = pick(modes);
-    const bool varies = pick(2) != 0;
+    const int components = uses(Feature::homogeneous) && pick(3) == 0 ? 4 : pick(4) == 0 ? 2 : 3;
+    std::array<int, 3> varying{};
+    const int varying_count = pick(4);
+    for (int i = 0; i < varying_count; ++i)
+        varying[static_cast<std::size_t>(i)] = pick(ATTRIBUTES);
     begin({static_cast<GLenum>(QUADS_LAST[mode]), texts[mode]});
-    for (int i = 1 + pick(9); i > 0; --i) {
-        if (varies && pick(3))
-            attribute();
-        vertex();
+    for (int i = 0, count = 1 + pick(9); i < count; ++i) {
+        for (int v = 0; v < varying_count; ++v)
+            if (i == 0 || pick(3))
+                attribute(varying[static_cast<std::size_t>(v)]);
+        if (uses(Feature::ragged) && pick(3) == 0)
+            attribute(pick(ATTRIBUTES));
+        vertex(uses(Feature::ragged) ? 2 + pick(2) : components);
     }
     end();
 }
 
-void RandomStream::vertex()
+void RandomStream::vertex(int components)
 {
     const float x = number() * 1.25f, y = number() * 1.25f, z = number();
-    const int form = pick(8);
-    if (uses(Feature::homogeneous) && pick(3) == 0) {
+    if (components == 4) {
         const float w = pick(12) ? 0.5f + part() : part();
         RANDOM_GL_CALL(glVertex4f, x, y, z, w);
-    } else if (form == 0) {
+    } else if (components == 2) {
         RANDOM_GL_CALL(glVertex2f, x, y);
-    } else if (form == 1) {
+    } else if (pick(8) == 0) {
         RANDOM_GL_CALL(glVertex3d, static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
     } else {
         RANDOM_GL_CALL(glVertex3f, x, y, z);
     }
 }
 
-void RandomStream::attribute()
+void RandomStream::attribute(int which)
 {
     const Values<float, 4> v = four();
     const auto& a = v.values;
-    switch (pick(10)) {
+    switch (which) {
     case 0:
         RANDOM_GL_CALL(glColor3fv, v);
         return;

@@ -8,7 +8,7 @@ bool RandomStream::vertex_state(Feature feature)
     const auto& a = v.values;
     switch (feature) {
     case Feature::attributes:
-        attribute();
+        attribute(pick(ATTRIBUTES));
         return true;
     case Feature::matrices:
         switch (pick(4)) {

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::array DRAWN = {Feature::quads,    Feature::rectangles, Feature::homogeneous,
                               Feature::arrays,   Feature::quadrics,   Feature::meshes,
-                              Feature::display_lists, Feature::edge_flags, Feature::attribute_stack};
+                              Feature::display_lists, Feature::edge_flags, Feature::attribute_stack,
+                              Feature::ragged};
 
 bool is_state(Feature feature)
 {
@@ -35,6 +36,7 @@ RandomStream::RandomStream(unsigned seed) : random_(seed)
     for (std::size_t i = 0; i < used_.size(); ++i)
         if (used_[i] && is_state(static_cast<Feature>(i)))
             states_.push_back(static_cast<Feature>(i));
+    used_[static_cast<std::size_t>(Feature::ragged)] = false;
     if (states_.empty())
         states_.push_back(Feature::attributes);
     if (uses(Feature::second_texture_unit) || uses(Feature::texture_parameters) ||

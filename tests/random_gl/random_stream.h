@@ -67,6 +67,7 @@ enum class Feature
     meshes, ///< Regular ones, of many vertices.
     display_lists,
     copied_textures,
+    ragged, ///< An attribute may first appear in the middle of a primitive.
     COUNT
 };
 
@@ -103,8 +104,9 @@ private:
     void enable(Name name);
 
     void primitive();
-    void vertex();
-    void attribute();
+    void vertex(int components);
+    static constexpr int ATTRIBUTES = 10; ///< That attribute() can set.
+    void attribute(int which);
     void loose_primitive();
     void mesh();
     void rectangle();

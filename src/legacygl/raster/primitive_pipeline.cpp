@@ -54,10 +54,10 @@ PrimitivePipeline::PrimitivePipeline(const State& state, const ShaderKey& key, c
       stippled_(state.raster.line_stipple.stipples()), stipple_counter_(stipple_counter), out_(out)
 {}
 
-void PrimitivePipeline::draw(GLenum mode, bool quads_from_first, std::span<const ShadedVertex> vertices)
+void PrimitivePipeline::draw(GLenum mode, QuadOrder quad_order, std::span<const ShadedVertex> vertices)
 {
     decompose(
-        mode, static_cast<std::uint32_t>(vertices.size()), first_vertex_, quads_from_first,
+        mode, static_cast<std::uint32_t>(vertices.size()), first_vertex_, quad_order,
         [&](std::uint32_t i) { point(vertices[i]); },
         [&](std::uint32_t i, std::uint32_t j, bool begins) { line(vertices[i], vertices[j], begins); },
         [&](const DecomposedTriangle& t) { polygon(vertices, t); });

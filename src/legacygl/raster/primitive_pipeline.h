@@ -28,7 +28,7 @@ public:
     PrimitivePipeline(const State& state, const ShaderKey& key, const RasterWork& work,
                       const VertexShading& shading, std::uint32_t& stipple_counter, RasterOutput& out);
 
-    void draw(GLenum mode, bool quads_from_first, std::span<const ShadedVertex> vertices);
+    void draw(GLenum mode, QuadOrder quad_order, std::span<const ShadedVertex> vertices);
 
 private:
     using Triangle = std::array<ShadedVertex, 3>;

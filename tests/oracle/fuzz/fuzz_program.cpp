@@ -10,7 +10,7 @@ random_gl::Program make_program(unsigned seed)
 {
     random_gl::RandomStream stream(seed);
     stream.set_up();
-    stream.make(8 + stream.pick(25));
+    stream.make(6 + stream.pick(16));
     return stream.program();
 }
 
@@ -24,6 +24,7 @@ std::vector<std::size_t> all(const random_gl::Program& program)
 void run(const random_gl::Program& program, const std::vector<std::size_t>& kept)
 {
     random_gl::RandomStream::make_textures();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT); // What is there is undefined.
     program.run(kept);
 }
 

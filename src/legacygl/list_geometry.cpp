@@ -14,8 +14,15 @@ ListGeometry::ListGeometry(VertexBatch vertices) : batch(std::move(vertices))
     for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
         if (batch.format.components[i] == 0)
             constants |= batch.attributes_set & (1u << i);
-    if (drawable)
-        make_runs(batch.primitives, runs, indices);
+    if (!drawable)
+        return;
+    const std::size_t of_one_color = batch.primitives_of_one_color();
+    const std::span<const Primitive> primitives = batch.primitives;
+    std::vector<DrawRun> others;
+    make_runs(primitives.first(of_one_color), runs, indices);
+    make_runs(primitives.subspan(of_one_color), others, indices);
+    runs_of_one_color = runs.size();
+    runs.insert(runs.end(), others.begin(), others.end());
 }
 
 } // namespace legacygl

@@ -4,6 +4,7 @@
 #include "legacygl/primitives.h"
 #include "legacygl/vertex_assembler.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct ListGeometry
     std::uint32_t constants = 0;
     GeometryObject object; ///< The backend's copy, made at the first draw.
     std::vector<DrawRun> runs;
-    VertexBatch batch; ///< Behind what else a call reads, and with what it reads first.
+    std::size_t runs_of_one_color = 0; ///< Of primitives_of_one_color(), at the beginning of runs.
+    VertexBatch batch;                 ///< Behind what else a call reads, and with what it reads first.
     std::vector<std::uint32_t> indices;
 };
 

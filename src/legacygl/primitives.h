@@ -12,7 +12,6 @@ namespace legacygl {
 
 class QuadOrders;
 
-
 /// What ES can draw of OpenGL's ten primitives.
 enum class PrimitiveClass : std::uint8_t
 {

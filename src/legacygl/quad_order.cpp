@@ -7,24 +7,23 @@ namespace {
 bool takes_polygons(const State& state)
 {
     const RasterState& raster = state.raster;
-    const bool offsets =
-        raster.polygon_offset_fill || raster.polygon_offset_line || raster.polygon_offset_point;
-    const bool takes_some = raster.line_smooth || raster.point_smooth || raster.line_stipple.enabled;
-    return raster.unfilled() || raster.polygon_stipple.enabled ||
-           (takes_some && (offsets || (state.lighting.enabled && state.lighting.two_side)));
+    const bool two_side = state.lighting.enabled && state.lighting.two_side;
+    return raster.unfilled() || raster.polygon_stipple.enabled || raster.offsets_in_pipeline() ||
+           (two_side && (raster.line_smooth || raster.point_smooth || raster.line_stipple.enabled));
 }
 
 } // namespace
 
-QuadOrders::QuadOrders(const State& state, const VertexBatch& batch, bool flat, bool in_list)
-    : state_(state), batch_(batch),
+QuadOrders::QuadOrders(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
+                       bool flat, bool in_list)
+    : state_(state), batch_(batch), primitives_(primitives),
       from_first_(!flat && !in_list && state.raster.provoking_vertex != GL_FIRST_VERTEX_CONVENTION),
       emitted_(!takes_polygons(state))
 {}
 
 QuadOrder QuadOrders::of(std::size_t i)
 {
-    const GLenum mode = batch_.primitives[i].mode;
+    const GLenum mode = primitives_[i].mode;
     if (mode != GL_QUADS && mode != GL_QUAD_STRIP)
         return {};
     if (!emitted_)
@@ -32,12 +31,12 @@ QuadOrder QuadOrders::of(std::size_t i)
     if (i >= known_until_) {
         known_until_ = i + 1;
         // Mesa takes neighbouring quads together.
-        while (mode == GL_QUADS && known_until_ < batch_.primitives.size() &&
-               batch_.primitives[known_until_].mode == GL_QUADS && !batch_.primitives[known_until_].indexed)
+        while (mode == GL_QUADS && known_until_ < primitives_.size() &&
+               primitives_[known_until_].mode == GL_QUADS && !primitives_[known_until_].indexed)
             ++known_until_;
         inside_ = all_inside(i, known_until_);
     }
-    return {inside_ && from_first_ && !batch_.primitives[i].indexed, inside_};
+    return {inside_ && from_first_ && !primitives_[i].indexed, inside_};
 }
 
 bool QuadOrders::all_inside(std::size_t first, std::size_t end)
@@ -50,7 +49,7 @@ bool QuadOrders::all_inside(std::size_t first, std::size_t end)
     const auto floats = static_cast<std::size_t>(batch_.format.floats());
     const int components = batch_.format.components[0];
     for (std::size_t p = first; p < end; ++p) {
-        const Primitive& quads = batch_.primitives[p];
+        const Primitive& quads = primitives_[p];
         const std::uint32_t size = quads.mode == GL_QUADS ? 4 : 2;
         for (std::uint32_t v = quads.first; v < quads.first + quads.count / size * size; ++v) {
             glm::vec4 position = {0, 0, 0, 1};

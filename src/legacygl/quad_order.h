@@ -7,10 +7,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace legacygl {
 
-/// Knows how Mesa cuts the quads of a batch that is drawn.
+/// Knows how Mesa cuts the quads of primitives of a batch that are drawn.
 ///
 /// Its pipeline cuts them where a vertex lies outside of the view volume or the state asks for it. Separate
 /// quads are cut from their first corner where that is not so, nothing is flat, and their vertices come one
@@ -18,11 +19,12 @@ namespace legacygl {
 class QuadOrders
 {
 public:
-    /// flat: whether fragments take the colour of one vertex, which differs from the others'. in_list: whether
-    /// the batch is a list's.
-    QuadOrders(const State& state, const VertexBatch& batch, bool flat, bool in_list);
+    /// flat: whether fragments take the colour of one vertex, which differs from the others'. in_list:
+    /// whether the batch is a list's.
+    QuadOrders(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives, bool flat,
+               bool in_list);
 
-    /// Returns the order of primitive i of the batch; the default for all but quads and quad strips.
+    /// Returns the order of primitive i; the default for all but quads and quad strips.
     QuadOrder of(std::size_t i);
 
 private:
@@ -30,6 +32,7 @@ private:
 
     const State& state_;
     const VertexBatch& batch_;
+    const std::span<const Primitive> primitives_;
     const bool from_first_, emitted_; ///< Whether the state allows that.
     std::optional<ClipVolume> volume_;
     Matrix projection_modelview_;

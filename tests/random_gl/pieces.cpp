@@ -83,7 +83,8 @@ template <class Vertex> void faces(int detail, Vertex vertex)
     for (int i = 0; i < detail; ++i)
         for (int j = 0; j < detail; ++j)
             for (const std::array<int, 2>& corner : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-                vertex(static_cast<double>(i + corner[0]) / detail, static_cast<double>(j + corner[1]) / detail);
+                vertex(static_cast<double>(i + corner[0]) / detail,
+                       static_cast<double>(j + corner[1]) / detail);
     glEnd();
 }
 
@@ -253,8 +254,8 @@ void array(GLenum mode, int count, int how, unsigned seed)
     } else if (how == 1) {
         std::vector<GLushort> indices;
         for (int i = 0; i < count + 3; ++i)
-            indices.push_back(
-                static_cast<GLushort>(hashed(seed + 99, static_cast<unsigned>(i)) * static_cast<float>(count - 1)));
+            indices.push_back(static_cast<GLushort>(hashed(seed + 99, static_cast<unsigned>(i)) *
+                                                    static_cast<float>(count - 1)));
         glDrawElements(mode, count + 3, GL_UNSIGNED_SHORT, indices.data());
     } else {
         glBegin(mode);

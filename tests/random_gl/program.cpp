@@ -44,8 +44,14 @@ std::string written(unsigned value)
 
 std::size_t Program::add_command(std::string text, std::function<void()> run)
 {
-    commands_.push_back({std::move(text), std::move(run), commands_.size()});
-    return commands_.size() - 1;
+    const std::size_t index = commands_.size();
+    commands_.push_back({std::move(text), std::move(run), index, false, unit_.value_or(index)});
+    return index;
+}
+
+void Program::begin_unit()
+{
+    unit_ = commands_.size();
 }
 
 void Program::pair(std::size_t opening, std::size_t closing, bool holds_together)
@@ -72,14 +78,18 @@ std::vector<std::size_t> Program::without(std::span<const std::size_t> kept, std
 {
     std::vector<bool> falls(commands_.size(), false);
     for (std::size_t place = from; place < std::min(to, kept.size()); ++place) {
-        const std::size_t i = kept[place], partner = commands_[i].partner;
-        falls[i] = falls[partner] = true;
-        if (commands_[i].holds_together)
-            std::fill(falls.begin() + static_cast<long>(std::min(i, partner)),
-                      falls.begin() + static_cast<long>(std::max(i, partner)), true);
+        const std::size_t unit = commands_[kept[place]].unit;
+        for (std::size_t i = unit; i < commands_.size() && (i == unit || commands_[i].unit == unit); ++i) {
+            const std::size_t partner = commands_[i].partner;
+            falls[i] = falls[partner] = true;
+            if (commands_[i].holds_together)
+                std::fill(falls.begin() + static_cast<long>(std::min(i, partner)),
+                          falls.begin() + static_cast<long>(std::max(i, partner)), true);
+        }
     }
     std::vector<std::size_t> rest;
-    std::copy_if(kept.begin(), kept.end(), std::back_inserter(rest), [&](std::size_t i) { return !falls[i]; });
+    std::copy_if(kept.begin(), kept.end(), std::back_inserter(rest),
+                 [&](std::size_t i) { return !falls[i]; });
     return rest;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -69,6 +70,8 @@ struct Command
     std::size_t partner;
     /// It and its partner stand and fall with what is between them: glBegin and glEnd.
     bool holds_together = false;
+    /// Calls of one unit stand and fall together.
+    std::size_t unit;
 };
 
 /// Calls of OpenGL as data, so that they can be made, written down, and made without some of them.
@@ -88,6 +91,9 @@ public:
     }
     /// Says that two calls are a pair.
     void pair(std::size_t opening, std::size_t closing, bool holds_together);
+    /// Makes the calls that follow one unit, until the next one begins or end_unit().
+    void begin_unit();
+    void end_unit() { unit_.reset(); }
 
     std::size_t size() const { return commands_.size(); }
     const std::vector<Command>& commands() const { return commands_; }
@@ -104,6 +110,7 @@ private:
     std::size_t add_command(std::string text, std::function<void()> run);
 
     std::vector<Command> commands_;
+    std::optional<std::size_t> unit_;
 };
 
 } // namespace random_gl

@@ -1,6 +1,8 @@
 #include "random_gl/pieces.h"
 #include "random_gl/random_stream.h"
 
+#include <span>
+
 namespace random_gl {
 
 void RandomStream::primitive()
@@ -30,29 +32,60 @@ void RandomStream::end()
     program_.pair(begun_, RANDOM_GL_CALL(glEnd), true);
 }
 
+Name RandomStream::mode()
+{
+    if (uses(Feature::quads) && pick(6) == 0)
+        return RANDOM_GL_NAME(GL_QUADS);
+    return RANDOM_GL_ANY(GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP,
+                         GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON);
+}
+
+/// Returns a number of vertices, in a list one that leaves none over: Mesa repeats the last one there.
+int RandomStream::vertex_count(GLenum mode)
+{
+    const int count = 1 + pick(9);
+    if (!in_list_ && pick(5) == 0)
+        return count;
+    switch (mode) {
+    case GL_POINTS:
+        return count;
+    case GL_LINES:
+        return (count + 1) / 2 * 2;
+    case GL_LINE_STRIP:
+    case GL_LINE_LOOP:
+        return count + 1;
+    case GL_TRIANGLES:
+        return (count + 2) / 3 * 3;
+    case GL_QUADS:
+        return (count + 3) / 4 * 4;
+    case GL_QUAD_STRIP:
+        return (count + 3) / 2 * 2;
+    default:
+        return count + 2;
+    }
+}
+
 void RandomStream::loose_primitive()
 {
-    const int modes = uses(Feature::quads) ? 10 : 9;
-    constexpr int QUADS_LAST[10] = {GL_POINTS,       GL_LINES,        GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES,
-                                    GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON, GL_QUADS};
-    const char* const texts[10] = {"GL_POINTS",       "GL_LINES",        "GL_LINE_STRIP", "GL_LINE_LOOP",
-                                   "GL_TRIANGLES",    "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN", "GL_QUAD_STRIP",
-                                   "GL_POLYGON",      "GL_QUADS"};
-    const int mode = pick(modes);
+    const Name name = mode();
+    const int count = vertex_count(name.value);
     const int components = uses(Feature::homogeneous) && pick(3) == 0 ? 4 : pick(4) == 0 ? 2 : 3;
     std::array<int, 3> varying{};
-    const int varying_count = pick(4);
-    for (int i = 0; i < varying_count; ++i)
-        varying[static_cast<std::size_t>(i)] = pick(ATTRIBUTES);
-    begin({static_cast<GLenum>(QUADS_LAST[mode]), texts[mode]});
-    for (int i = 0, count = 1 + pick(9); i < count; ++i) {
-        for (int v = 0; v < varying_count; ++v)
+    const auto some = std::span(varying).first(static_cast<std::size_t>(pick(4)));
+    for (int& which : some)
+        which = pick(ATTRIBUTES);
+    program_.begin_unit(); // All that the vertices get, the first one gets with glBegin.
+    begin(name);
+    for (int i = 0; i < count; ++i) {
+        for (const int which : some)
             if (i == 0 || pick(3))
-                attribute(varying[static_cast<std::size_t>(v)]);
+                attribute(which);
         if (uses(Feature::ragged) && pick(3) == 0)
             attribute(pick(ATTRIBUTES));
         vertex(uses(Feature::ragged) ? 2 + pick(2) : components);
+        program_.begin_unit();
     }
+    program_.end_unit();
     end();
 }
 
@@ -77,14 +110,19 @@ void RandomStream::attribute(int which)
     const auto& a = v.values;
     switch (which) {
     case 0:
-        RANDOM_GL_CALL(glColor3fv, v);
-        return;
     case 1:
-        RANDOM_GL_CALL(glColor4fv, v);
+        if (has_alpha_ || uses(Feature::ragged))
+            RANDOM_GL_CALL(glColor4fv, v);
+        else
+            RANDOM_GL_CALL(glColor3fv, v);
         return;
     case 2:
-        RANDOM_GL_CALL(glColor3ub, static_cast<GLubyte>(pick(256)), static_cast<GLubyte>(pick(256)),
-                       static_cast<GLubyte>(pick(256)));
+        if (has_alpha_)
+            RANDOM_GL_CALL(glColor4ub, static_cast<GLubyte>(pick(256)), static_cast<GLubyte>(pick(256)),
+                           static_cast<GLubyte>(pick(256)), static_cast<GLubyte>(pick(256)));
+        else
+            RANDOM_GL_CALL(glColor3ub, static_cast<GLubyte>(pick(256)), static_cast<GLubyte>(pick(256)),
+                           static_cast<GLubyte>(pick(256)));
         return;
     case 3:
         RANDOM_GL_CALL(glNormal3f, a[0] - 0.5f, a[1] - 0.5f, 1.0f);
@@ -110,8 +148,8 @@ void RandomStream::attribute(int which)
         return;
     default:
         if (uses(Feature::materials))
-            RANDOM_GL_CALL(glMaterialfv, RANDOM_GL_ANY(GL_FRONT_AND_BACK, GL_FRONT, GL_BACK),
-                           RANDOM_GL_ANY(GL_EMISSION, GL_DIFFUSE, GL_AMBIENT, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE), v);
+            RANDOM_GL_CALL(glMaterialfv, RANDOM_GL_NAME(GL_FRONT_AND_BACK),
+                           has_alpha_ ? RANDOM_GL_NAME(GL_DIFFUSE) : RANDOM_GL_NAME(GL_EMISSION), v);
     }
 }
 
@@ -130,7 +168,9 @@ void RandomStream::quadric()
 {
     const int which = pick(4);
     const Name style = RANDOM_GL_ANY(GLU_FILL, GLU_LINE, GLU_SILHOUETTE, GLU_POINT, GLU_FILL);
-    const Name normals = RANDOM_GL_ANY(GLU_SMOOTH, GLU_FLAT, GLU_NONE);
+    // A sphere of points has no flat normals in libGLU: it reads memory that nothing was written to.
+    const Name normals = style.value == GLU_POINT ? RANDOM_GL_ANY(GLU_SMOOTH, GLU_NONE)
+                                                  : RANDOM_GL_ANY(GLU_SMOOTH, GLU_FLAT, GLU_NONE);
     const bool textured = pick(2) != 0, inside = pick(4) == 0;
     const int slices = 3 + pick(12), stacks = 1 + pick(10);
     RANDOM_GL_CALL(random_gl::quadric, which, style, normals, textured, inside, slices, stacks);
@@ -138,10 +178,9 @@ void RandomStream::quadric()
 
 void RandomStream::array()
 {
-    const Name mode = RANDOM_GL_ANY(GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP,
-                                    GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON, GL_QUADS);
-    const int count = 2 + pick(10), how = pick(4);
-    RANDOM_GL_CALL(random_gl::array, mode, count, how, static_cast<unsigned>(pick(1000)));
+    const Name name = mode();
+    const int count = vertex_count(name.value), how = pick(4);
+    RANDOM_GL_CALL(random_gl::array, name, count, how, static_cast<unsigned>(pick(1000)));
 }
 
 /// Compiles a list of some commands, sometimes with lists in it, and calls it twice.
@@ -151,12 +190,15 @@ void RandomStream::list()
         return loose_primitive();
     ++depth_;
     const auto name = static_cast<GLuint>(++lists_);
-    const std::size_t opened = RANDOM_GL_CALL(glNewList, name, RANDOM_GL_ANY(GL_COMPILE, GL_COMPILE, GL_COMPILE_AND_EXECUTE));
+    in_list_ = true;
+    const std::size_t opened =
+        RANDOM_GL_CALL(glNewList, name, RANDOM_GL_ANY(GL_COMPILE, GL_COMPILE, GL_COMPILE_AND_EXECUTE));
     for (int i = 1 + pick(6); i > 0; --i)
         pick(2) ? primitive() : state();
     if (name > 1 && pick(2))
         RANDOM_GL_CALL(glCallList, 1 + static_cast<GLuint>(pick(static_cast<int>(name) - 1)));
     program_.pair(opened, RANDOM_GL_CALL(glEndList), false);
+    in_list_ = false;
     --depth_;
     for (int i = pick(3); i >= 0; --i) {
         if (pick(2))
@@ -170,8 +212,9 @@ void RandomStream::pushed()
     if (depth_ > 1)
         return loose_primitive();
     ++depth_;
-    const std::size_t opened = RANDOM_GL_CALL(
-        glPushAttrib, RANDOM_GL_ANY(GL_ALL_ATTRIB_BITS, GL_ENABLE_BIT, GL_CURRENT_BIT, GL_LIGHTING_BIT, GL_POLYGON_BIT));
+    const std::size_t opened =
+        RANDOM_GL_CALL(glPushAttrib, RANDOM_GL_ANY(GL_ALL_ATTRIB_BITS, GL_ENABLE_BIT, GL_CURRENT_BIT,
+                                                   GL_LIGHTING_BIT, GL_POLYGON_BIT));
     for (int i = 1 + pick(5); i > 0; --i)
         pick(2) ? primitive() : state();
     program_.pair(opened, RANDOM_GL_CALL(glPopAttrib), false);

@@ -88,19 +88,23 @@ void RandomStream::light_state()
                        Values<float, 4>{{a[0] * 4 - 2, a[1] * 4 - 2, a[2] * 4, pick(2) ? 1.0f : 0.0f}});
         return;
     case 4:
-        RANDOM_GL_CALL(glLightModeli, RANDOM_GL_ANY(GL_LIGHT_MODEL_TWO_SIDE, GL_LIGHT_MODEL_LOCAL_VIEWER), pick(2));
+        RANDOM_GL_CALL(glLightModeli, RANDOM_GL_ANY(GL_LIGHT_MODEL_TWO_SIDE, GL_LIGHT_MODEL_LOCAL_VIEWER),
+                       pick(2));
         return;
     case 5:
-        RANDOM_GL_CALL(glLightf, light,
-                       RANDOM_GL_ANY(GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION), a[0] + 0.25f);
+        RANDOM_GL_CALL(
+            glLightf, light,
+            RANDOM_GL_ANY(GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION),
+            a[0] + 0.25f);
         return;
     case 6:
         RANDOM_GL_CALL(glLightf, light, RANDOM_GL_NAME(GL_SPOT_CUTOFF), pick(3) ? 10 + a[0] * 80 : 180.0f);
         RANDOM_GL_CALL(glLightf, light, RANDOM_GL_NAME(GL_SPOT_EXPONENT), a[1] * 16);
         return;
     case 7:
-        RANDOM_GL_CALL(glColorMaterial, RANDOM_GL_ANY(GL_FRONT_AND_BACK, GL_FRONT, GL_BACK),
-                       RANDOM_GL_ANY(GL_AMBIENT_AND_DIFFUSE, GL_DIFFUSE, GL_AMBIENT, GL_SPECULAR, GL_EMISSION));
+        RANDOM_GL_CALL(
+            glColorMaterial, RANDOM_GL_ANY(GL_FRONT_AND_BACK, GL_FRONT, GL_BACK),
+            RANDOM_GL_ANY(GL_AMBIENT_AND_DIFFUSE, GL_DIFFUSE, GL_AMBIENT, GL_SPECULAR, GL_EMISSION));
         return;
     default:
         if (pick(2))
@@ -124,18 +128,34 @@ bool RandomStream::raster_state(Feature feature)
             RANDOM_GL_CALL(glFrontFace, RANDOM_GL_ANY(GL_CW, GL_CCW));
         return true;
     case Feature::polygon_mode:
-        RANDOM_GL_CALL(glPolygonMode, RANDOM_GL_ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK),
-                       RANDOM_GL_ANY(GL_POINT, GL_LINE, GL_LINE, GL_FILL));
+        // In Mesa a filled face loses its alpha after smooth lines or points of the other face.
+        if (uses(Feature::smooth_lines_and_points))
+            RANDOM_GL_CALL(glPolygonMode, RANDOM_GL_NAME(GL_FRONT_AND_BACK),
+                           RANDOM_GL_ANY(GL_POINT, GL_LINE, GL_LINE, GL_FILL));
+        else
+            RANDOM_GL_CALL(glPolygonMode,
+                           RANDOM_GL_ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK),
+                           RANDOM_GL_ANY(GL_POINT, GL_LINE, GL_LINE, GL_FILL));
         return true;
     case Feature::polygon_offset:
-        enable(RANDOM_GL_ANY(GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT));
+        // All at once: if one of them is on, Mesa offsets all.
+        for (const bool on = pick(3) != 0; const Name& name : {RANDOM_GL_NAME(GL_POLYGON_OFFSET_FILL),
+                                                               RANDOM_GL_NAME(GL_POLYGON_OFFSET_LINE),
+                                                               RANDOM_GL_NAME(GL_POLYGON_OFFSET_POINT)}) {
+            if (on)
+                RANDOM_GL_CALL(glEnable, name);
+            else
+                RANDOM_GL_CALL(glDisable, name);
+        }
         RANDOM_GL_CALL(glPolygonOffset, a[0] * 4 - 2, a[1] * 4 - 2);
         return true;
     case Feature::polygon_stipple: {
         Values<GLubyte, 128> pattern{};
         const int kind = pick(4);
         for (std::size_t i = 0; i < 128; ++i)
-            pattern.values[i] = static_cast<GLubyte>(kind == 0 ? (i / 4 % 2 ? 0x55 : 0xaa) : kind == 1 ? 0x0f : i * 37);
+            pattern.values[i] = static_cast<GLubyte>(kind == 0   ? (i / 4 % 2 ? 0x55 : 0xaa)
+                                                     : kind == 1 ? 0x0f
+                                                                 : i * 37);
         enable(RANDOM_GL_NAME(GL_POLYGON_STIPPLE));
         RANDOM_GL_CALL(glPolygonStipple, pattern);
         return true;
@@ -144,7 +164,9 @@ bool RandomStream::raster_state(Feature feature)
         enable(RANDOM_GL_NAME(GL_LINE_STIPPLE));
         const int factor = 1 + pick(4);
         RANDOM_GL_CALL(glLineStipple, factor,
-                       static_cast<GLushort>(pick(2) ? pick(65536) : pick(2) ? 0x00ff : 0x1c47));
+                       static_cast<GLushort>(pick(2)   ? pick(65536)
+                                             : pick(2) ? 0x00ff
+                                                       : 0x1c47));
         return true;
     }
     case Feature::line_width:
@@ -165,7 +187,8 @@ bool RandomStream::raster_state(Feature feature)
         RANDOM_GL_CALL(glBlendFunc, RANDOM_GL_NAME(GL_SRC_ALPHA), RANDOM_GL_NAME(GL_ONE_MINUS_SRC_ALPHA));
         return true;
     case Feature::provoking_vertex:
-        RANDOM_GL_CALL(glProvokingVertex, RANDOM_GL_ANY(GL_FIRST_VERTEX_CONVENTION, GL_LAST_VERTEX_CONVENTION));
+        RANDOM_GL_CALL(glProvokingVertex,
+                       RANDOM_GL_ANY(GL_FIRST_VERTEX_CONVENTION, GL_LAST_VERTEX_CONVENTION));
         return true;
     default:
         return false;
@@ -177,7 +200,8 @@ bool RandomStream::fragment_state(Feature feature)
     const Values<float, 4> v = four();
     const auto& a = v.values;
     const auto comparison = [this] {
-        return RANDOM_GL_ANY(GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS);
+        return RANDOM_GL_ANY(GL_NEVER, GL_LESS, GL_EQUAL, GL_LEQUAL, GL_GREATER, GL_NOTEQUAL, GL_GEQUAL,
+                             GL_ALWAYS);
     };
     switch (feature) {
     case Feature::depth_test:
@@ -190,7 +214,8 @@ bool RandomStream::fragment_state(Feature feature)
         enable(RANDOM_GL_NAME(GL_STENCIL_TEST));
         const Name function = comparison();
         RANDOM_GL_CALL(glStencilFunc, function, pick(300), 3u);
-        const Name fail = RANDOM_GL_ANY(GL_KEEP, GL_ZERO, GL_REPLACE), depth_fail = RANDOM_GL_ANY(GL_INCR, GL_DECR),
+        const Name fail = RANDOM_GL_ANY(GL_KEEP, GL_ZERO, GL_REPLACE),
+                   depth_fail = RANDOM_GL_ANY(GL_INCR, GL_DECR),
                    pass = RANDOM_GL_ANY(GL_INVERT, GL_KEEP, GL_INCR, GL_REPLACE);
         RANDOM_GL_CALL(glStencilOp, fail, depth_fail, pass);
         if (pick(6) == 0)
@@ -212,19 +237,21 @@ bool RandomStream::fragment_state(Feature feature)
         enable(RANDOM_GL_NAME(GL_BLEND));
         const Name source = RANDOM_GL_ANY(GL_ONE, GL_SRC_ALPHA, GL_SRC_ALPHA, GL_DST_COLOR, GL_CONSTANT_COLOR,
                                           GL_SRC_ALPHA_SATURATE, GL_ONE_MINUS_DST_COLOR);
-        const Name destination = RANDOM_GL_ANY(GL_ZERO, GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
-                                               GL_CONSTANT_ALPHA, GL_SRC_COLOR);
+        const Name destination = RANDOM_GL_ANY(GL_ZERO, GL_ONE, GL_ONE_MINUS_SRC_ALPHA,
+                                               GL_ONE_MINUS_SRC_ALPHA, GL_CONSTANT_ALPHA, GL_SRC_COLOR);
         RANDOM_GL_CALL(glBlendFunc, source, destination);
         if (pick(5) == 0)
-            RANDOM_GL_CALL(glBlendEquation, RANDOM_GL_ANY(GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX));
+            RANDOM_GL_CALL(glBlendEquation, RANDOM_GL_ANY(GL_FUNC_ADD, GL_FUNC_SUBTRACT,
+                                                          GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX));
         if (pick(5) == 0)
             RANDOM_GL_CALL(glBlendColor, a[0], a[1], a[2], a[3]);
         return true;
     }
     case Feature::logic_op:
         RANDOM_GL_CALL(glLogicOp,
-                       RANDOM_GL_ANY(GL_CLEAR, GL_AND, GL_AND_REVERSE, GL_COPY, GL_AND_INVERTED, GL_NOOP, GL_XOR, GL_OR, GL_NOR,
-                                     GL_EQUIV, GL_INVERT, GL_OR_REVERSE, GL_COPY_INVERTED, GL_OR_INVERTED, GL_NAND, GL_SET));
+                       RANDOM_GL_ANY(GL_CLEAR, GL_AND, GL_AND_REVERSE, GL_COPY, GL_AND_INVERTED, GL_NOOP,
+                                     GL_XOR, GL_OR, GL_NOR, GL_EQUIV, GL_INVERT, GL_OR_REVERSE,
+                                     GL_COPY_INVERTED, GL_OR_INVERTED, GL_NAND, GL_SET));
         enable(RANDOM_GL_NAME(GL_COLOR_LOGIC_OP));
         return true;
     case Feature::color_mask: {
@@ -250,7 +277,8 @@ bool RandomStream::fragment_state(Feature feature)
             return true;
         }
     case Feature::fog_coordinates:
-        RANDOM_GL_CALL(glFogi, RANDOM_GL_NAME(GL_FOG_COORDINATE_SOURCE), RANDOM_GL_ANY(GL_FOG_COORDINATE, GL_FRAGMENT_DEPTH));
+        RANDOM_GL_CALL(glFogi, RANDOM_GL_NAME(GL_FOG_COORDINATE_SOURCE),
+                       RANDOM_GL_ANY(GL_FOG_COORDINATE, GL_FRAGMENT_DEPTH));
         return true;
     case Feature::secondary_colors:
         enable(RANDOM_GL_NAME(GL_COLOR_SUM));
@@ -258,7 +286,8 @@ bool RandomStream::fragment_state(Feature feature)
     case Feature::clears:
         RANDOM_GL_CALL(glClearColor, a[0], a[1], a[2], a[3]);
         if (pick(4) == 0)
-            RANDOM_GL_CALL(glClear, RANDOM_GL_ANY(GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT));
+            RANDOM_GL_CALL(glClear,
+                           RANDOM_GL_ANY(GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT));
         return true;
     default:
         return false;

@@ -7,8 +7,8 @@
 namespace random_gl {
 namespace {
 
-constexpr std::array DRAWN = {Feature::quads,    Feature::rectangles, Feature::homogeneous,
-                              Feature::arrays,   Feature::quadrics,   Feature::meshes,
+constexpr std::array DRAWN = {Feature::quads,         Feature::rectangles, Feature::homogeneous,
+                              Feature::arrays,        Feature::quadrics,   Feature::meshes,
                               Feature::display_lists, Feature::edge_flags, Feature::attribute_stack,
                               Feature::ragged};
 
@@ -44,6 +44,7 @@ RandomStream::RandomStream(unsigned seed) : random_(seed)
         uses(Feature::texture_generation) || uses(Feature::texture_matrix))
         used_[static_cast<std::size_t>(Feature::textures)] = true;
     fine_ = pick(2) != 0;
+    has_alpha_ = pick(2) != 0;
 }
 
 Name RandomStream::any(const char* texts, std::initializer_list<GLenum> values)
@@ -83,7 +84,8 @@ void RandomStream::set_up()
     in_three_dimensions_ = pick(2) != 0;
     const Values<float, 4> background = four();
     RANDOM_GL_CALL(glClearColor, background.values[0], background.values[1], background.values[2], 1.0f);
-    RANDOM_GL_CALL(glClear, RANDOM_GL_NAME(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT));
+    RANDOM_GL_CALL(glClear,
+                   RANDOM_GL_NAME(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT));
     if (in_three_dimensions_) {
         RANDOM_GL_CALL(perspective_view, 30.0 + pick(60), part() * 2 - 1, part() * 3, 1.5f + part() * 3);
         if (pick(3))
@@ -102,7 +104,8 @@ void RandomStream::set_up()
         RANDOM_GL_CALL(glEnable, RANDOM_GL_NAME(GL_TEXTURE_2D));
     for (const Feature feature : states_)
         if (pick(2))
-            vertex_state(feature) || raster_state(feature) || fragment_state(feature) || texture_state(feature);
+            vertex_state(feature) || raster_state(feature) || fragment_state(feature) ||
+                texture_state(feature);
 }
 
 } // namespace random_gl

@@ -9,11 +9,16 @@
 #include <vector>
 
 /// Adds a call to the program being made.
-#define RANDOM_GL_CALL(function, ...) program_.add(::random_gl::Call{#function, function __VA_OPT__(, ) __VA_ARGS__})
+#define RANDOM_GL_CALL(function, ...)                                                                        \
+    program_.add(::random_gl::Call{#function, function __VA_OPT__(, ) __VA_ARGS__})
 /// One of several OpenGL names.
 #define RANDOM_GL_ANY(...) any(#__VA_ARGS__, {__VA_ARGS__})
 /// An OpenGL name.
-#define RANDOM_GL_NAME(name) ::random_gl::Name{static_cast<GLenum>(name), #name}
+#define RANDOM_GL_NAME(name)                                                                                 \
+    ::random_gl::Name                                                                                        \
+    {                                                                                                        \
+        static_cast<GLenum>(name), #name                                                                     \
+    }
 
 namespace random_gl {
 
@@ -67,7 +72,7 @@ enum class Feature
     meshes, ///< Regular ones, of many vertices.
     display_lists,
     copied_textures,
-    ragged, ///< An attribute may first appear in the middle of a primitive.
+    ragged, ///< Attributes first appear in the middle of a primitive; colours come with and without alpha.
     COUNT
 };
 
@@ -97,9 +102,17 @@ public:
 
 private:
     bool uses(Feature feature) const { return used_[static_cast<std::size_t>(feature)]; }
-    float number() { return fine_ ? static_cast<float>(pick(65537)) / 32768.0f - 1.0f : static_cast<float>(pick(33)) / 16.0f - 1.0f; }
+    float number()
+    {
+        return fine_ ? static_cast<float>(pick(65537)) / 32768.0f - 1.0f
+                     : static_cast<float>(pick(33)) / 16.0f - 1.0f;
+    }
     float part() { return static_cast<float>(pick(17)) / 16.0f; }
-    Values<float, 4> four() { const float a = part(), b = part(), c = part(), d = part(); return {{a, b, c, d}}; }
+    Values<float, 4> four()
+    {
+        const float a = part(), b = part(), c = part(), d = part();
+        return {{a, b, c, d}};
+    }
     Name any(const char* texts, std::initializer_list<GLenum> values);
     void enable(Name name);
 
@@ -114,6 +127,8 @@ private:
     void array();
     void list();
     void pushed();
+    Name mode();
+    int vertex_count(GLenum mode);
     void begin(Name mode);
     void end();
 
@@ -129,10 +144,12 @@ private:
     std::array<bool, static_cast<std::size_t>(Feature::COUNT)> used_{};
     std::vector<Feature> states_; ///< The used features that are states.
     bool fine_ = false;           ///< Coordinates are not on a coarse grid.
+    bool has_alpha_ = false;      ///< Colours are given with alpha.
     bool in_three_dimensions_ = false;
     std::size_t begun_ = 0;
     int depth_ = 0; ///< Of lists and pushes.
     int lists_ = 0;
+    bool in_list_ = false;
 };
 
 } // namespace random_gl

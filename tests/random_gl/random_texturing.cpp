@@ -24,8 +24,8 @@ bool RandomStream::texture_state(Feature feature)
         enable(RANDOM_GL_NAME(GL_TEXTURE_2D));
         RANDOM_GL_CALL(glBindTexture, RANDOM_GL_NAME(GL_TEXTURE_2D), 1 + static_cast<GLuint>(pick(4)));
         if (pick(3) == 0) {
-            const Name format = RANDOM_GL_ANY(GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY, GL_LUMINANCE_ALPHA,
-                                              GL_RGB5_A1, GL_RGBA4);
+            const Name format = RANDOM_GL_ANY(GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY,
+                                              GL_LUMINANCE_ALPHA, GL_RGB5_A1, GL_RGBA4);
             const int width = 1 << pick(6), height = 1 << pick(6);
             RANDOM_GL_CALL(texture_image, format, width, height, pick(3) == 0);
         }
@@ -33,26 +33,31 @@ bool RandomStream::texture_state(Feature feature)
     case Feature::texture_parameters:
         switch (pick(5)) {
         case 0:
-            RANDOM_GL_CALL(glTexParameteri, RANDOM_GL_NAME(GL_TEXTURE_2D), RANDOM_GL_NAME(GL_TEXTURE_MAG_FILTER),
-                           RANDOM_GL_ANY(GL_NEAREST, GL_LINEAR));
+            RANDOM_GL_CALL(glTexParameteri, RANDOM_GL_NAME(GL_TEXTURE_2D),
+                           RANDOM_GL_NAME(GL_TEXTURE_MAG_FILTER), RANDOM_GL_ANY(GL_NEAREST, GL_LINEAR));
             return true;
         case 1:
             RANDOM_GL_CALL(texture_image, RANDOM_GL_ANY(GL_RGBA, GL_RGB, GL_LUMINANCE), 16, 16, true);
-            RANDOM_GL_CALL(glTexParameteri, RANDOM_GL_NAME(GL_TEXTURE_2D), RANDOM_GL_NAME(GL_TEXTURE_MIN_FILTER),
-                           RANDOM_GL_ANY(GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
-                                         GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR));
+            RANDOM_GL_CALL(
+                glTexParameteri, RANDOM_GL_NAME(GL_TEXTURE_2D), RANDOM_GL_NAME(GL_TEXTURE_MIN_FILTER),
+                RANDOM_GL_ANY(GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
+                              GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR));
             return true;
         case 2:
-            RANDOM_GL_CALL(glTexParameterfv, RANDOM_GL_NAME(GL_TEXTURE_2D), RANDOM_GL_NAME(GL_TEXTURE_BORDER_COLOR), v);
+            RANDOM_GL_CALL(glTexParameterfv, RANDOM_GL_NAME(GL_TEXTURE_2D),
+                           RANDOM_GL_NAME(GL_TEXTURE_BORDER_COLOR), v);
             return true;
         default:
-            RANDOM_GL_CALL(glTexParameteri, RANDOM_GL_NAME(GL_TEXTURE_2D), RANDOM_GL_ANY(GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T),
-                           RANDOM_GL_ANY(GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT));
+            RANDOM_GL_CALL(
+                glTexParameteri, RANDOM_GL_NAME(GL_TEXTURE_2D),
+                RANDOM_GL_ANY(GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T),
+                RANDOM_GL_ANY(GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT));
             return true;
         }
     case Feature::texture_environment:
         if (pick(4) == 0)
-            RANDOM_GL_CALL(glTexEnvfv, RANDOM_GL_NAME(GL_TEXTURE_ENV), RANDOM_GL_NAME(GL_TEXTURE_ENV_COLOR), v);
+            RANDOM_GL_CALL(glTexEnvfv, RANDOM_GL_NAME(GL_TEXTURE_ENV), RANDOM_GL_NAME(GL_TEXTURE_ENV_COLOR),
+                           v);
         else
             RANDOM_GL_CALL(glTexEnvi, RANDOM_GL_NAME(GL_TEXTURE_ENV), RANDOM_GL_NAME(GL_TEXTURE_ENV_MODE),
                            RANDOM_GL_ANY(GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE, GL_ADD));
@@ -100,19 +105,22 @@ void RandomStream::combiner_state()
     switch (pick(4)) {
     case 0:
         RANDOM_GL_CALL(glTexEnvi, environment, RANDOM_GL_NAME(GL_COMBINE_RGB),
-                       RANDOM_GL_ANY(GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB));
+                       RANDOM_GL_ANY(GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE,
+                                     GL_SUBTRACT, GL_DOT3_RGB));
         return;
     case 1:
         RANDOM_GL_CALL(glTexEnvi, environment, RANDOM_GL_ANY(GL_SOURCE0_RGB, GL_SOURCE1_RGB, GL_SOURCE2_RGB),
                        RANDOM_GL_ANY(GL_TEXTURE, GL_PREVIOUS, GL_PRIMARY_COLOR, GL_CONSTANT));
         return;
     case 2:
-        RANDOM_GL_CALL(glTexEnvi, environment, RANDOM_GL_ANY(GL_OPERAND0_RGB, GL_OPERAND1_RGB, GL_OPERAND2_RGB),
-                       RANDOM_GL_ANY(GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+        RANDOM_GL_CALL(
+            glTexEnvi, environment, RANDOM_GL_ANY(GL_OPERAND0_RGB, GL_OPERAND1_RGB, GL_OPERAND2_RGB),
+            RANDOM_GL_ANY(GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
         return;
     default:
-        RANDOM_GL_CALL(glTexEnvi, environment, RANDOM_GL_NAME(GL_COMBINE_ALPHA),
-                       RANDOM_GL_ANY(GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT));
+        RANDOM_GL_CALL(
+            glTexEnvi, environment, RANDOM_GL_NAME(GL_COMBINE_ALPHA),
+            RANDOM_GL_ANY(GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT));
     }
 }
 

@@ -25,7 +25,8 @@ std::string drawn(const random_gl::Program& program, const std::vector<std::size
     const auto target = platform::open_offscreen_target(SIZE, SIZE, error);
     if (!target)
         return error;
-    const oracle::Drawn drawn = oracle::draw({"", [&] { oracle::fuzz::run(program, kept); }, {}, {SIZE, SIZE}});
+    const oracle::Drawn drawn =
+        oracle::draw({"", [&] { oracle::fuzz::run(program, kept); }, {}, {SIZE, SIZE}});
     return std::string(drawn.rgba.begin(), drawn.rgba.end()) + drawn.told;
 }
 

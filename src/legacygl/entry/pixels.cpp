@@ -104,7 +104,7 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
             if (colors)
                 pack_pixels(store, r.width, r.height, f, t, read_frame(gl, r), ToLuminance::sum, out);
             else if (!read_depths_or_stencils(gl, r, store, f, t, out))
-                gl.set_error(GL_INVALID_OPERATION);
+                gl.refuse_unsupported();
         },
         x, y, width, height, format, type);
 }

@@ -137,6 +137,9 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    <GL/gl.h> declares of volumes (glTexImage3D …), of compressed images (glCompressedTexImage2D …) and of the
    imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …).
 
+   Errors are found as OpenGL prescribes. A library built with the CMake option LEGACYGL_UNCHECKED looks for
+   none, as a context of GL_KHR_no_error: what a wrong call does is then undefined.
+
    Differences: GL_POLYGON_SMOOTH has no effect, as in Mesa's software renderer; smooth lines and points have
    a coverage that falls over their last pixel, not an exact one. Edge flags count for all polygons, strips
    and fans too, as in Mesa. A logic op other than GL_COPY reads the target back; what is drawn into front and

@@ -59,6 +59,8 @@ Pipeline make_pipeline(const State& state)
     p.stencil = state.fragment.stencil;
     p.blend = state.fragment.blend;
     p.blend.enabled = p.blend.enabled && !state.fragment.color_logic_op;
+    if (p.blend.weighs_by_both_constants())
+        p.blend.source_rgb = GL_ONE;
     p.polygon_offset = state.raster.polygon_offset_fill;
     p.polygon_offset_factor_units = {state.raster.polygon_offset_factor, state.raster.polygon_offset_units};
     if (state.fragment.draw_buffer == GL_NONE)

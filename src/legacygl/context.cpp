@@ -55,7 +55,7 @@ void Context::call_list(GLuint name)
 {
     if (list_depth >= MAXIMUM_LIST_NESTING)
         return;
-    if (const std::shared_ptr<const DisplayList> list = lists.find(name)) {
+    if (DisplayList* list = lists.find(name)) {
         ++list_depth;
         list->run(*this);
         --list_depth;

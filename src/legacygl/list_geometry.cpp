@@ -5,7 +5,7 @@
 
 namespace legacygl {
 
-ListGeometry::ListGeometry(VertexBatch vertices) : batch(std::move(vertices))
+ListGeometry::ListGeometry(VertexBatch batch) : traits(batch), vertices(std::make_unique<Vertices>())
 {
     drawable = std::all_of(batch.primitives.begin(), batch.primitives.end(),
                            [](const Primitive& p) { return p.begins && p.ends && p.mode <= GL_POLYGON; }) &&
@@ -15,7 +15,11 @@ ListGeometry::ListGeometry(VertexBatch vertices) : batch(std::move(vertices))
         if (batch.format.components[i] == 0)
             constants |= batch.attributes_set & (1u << i);
     if (drawable)
-        make_runs(batch.primitives, runs, indices);
+        make_runs(batch.primitives, vertices->runs, vertices->indices);
+    run_count = static_cast<std::uint32_t>(vertices->runs.size());
+    if (run_count > 0)
+        first_run = vertices->runs.front();
+    vertices->batch = std::move(batch);
 }
 
 } // namespace legacygl

@@ -36,7 +36,7 @@ bool shines(const VertexBatch& batch)
     const auto sets_shininess = [](const MaterialChange& change) {
         return change.name == GL_SHININESS && change.values[0] != 0;
     };
-    return !batch.material_changes.empty() &&
+    return batch.changes_materials &&
            (batch.materials_before[0].shininess != 0 || batch.materials_before[1].shininess != 0 ||
             std::any_of(batch.material_changes.begin(), batch.material_changes.end(), sets_shininess));
 }
@@ -188,7 +188,7 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
 
 /// Calls draw for each stretch of runs that one program draws: points need their own, and so may polygons.
 template <class Draw>
-void Renderer::for_each_program(const State& state, const VertexBatch& batch, std::span<const DrawRun> runs,
+void Renderer::for_each_program(const State& state, const BatchTraits& batch, std::span<const DrawRun> runs,
                                 Draw draw)
 {
     const auto kind = [&](const DrawRun& run) {
@@ -219,17 +219,18 @@ void Renderer::draw(const State& state, const VertexBatch& batch)
 
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
-    if (const std::optional<RasterWork> work = raster_work(state, geometry.batch))
-        return draw_shaded(state, geometry.batch, *work);
+    const ListGeometry::Vertices& vertices = *geometry.vertices;
+    if (const std::optional<RasterWork> work = raster_work(state, geometry.traits))
+        return draw_shaded(state, vertices.batch, *work);
     if (!geometry.object.valid())
         geometry.object.set(backend_,
-                            backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
-                                                     geometry.indices));
-    for_each_program(state, geometry.batch, geometry.runs,
+                            backend_.create_geometry(geometry.traits.format, vertices.batch.used_vertices(),
+                                                     vertices.indices));
+    for_each_program(state, geometry.traits, geometry.runs(),
                      [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
                          if (!backend_.draw(draw_state, geometry.object.id(), runs))
-                             backend_.draw_stream(draw_state, geometry.batch.format,
-                                                  geometry.batch.used_vertices(), geometry.indices, runs);
+                             backend_.draw_stream(draw_state, geometry.traits.format,
+                                                  vertices.batch.used_vertices(), vertices.indices, runs);
                      });
 }
 
@@ -243,12 +244,12 @@ bool Renderer::viewport_holds_target(const State& state) const
 }
 
 /// Returns what ES cannot do itself for some of the primitives; nothing when it can do all.
-std::optional<RasterWork> Renderer::raster_work(const State& state, const VertexBatch& batch) const
+std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchTraits& batch) const
 {
     const RasterState& raster = state.raster;
     const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
     const RasterWork work{raster.unfilled(), wide, raster.line_smooth, raster.point_smooth};
-    const bool own_materials = state.lighting.enabled && !batch.material_changes.empty();
+    const bool own_materials = state.lighting.enabled && batch.changes_materials;
     const bool all =
         state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
         (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);

@@ -50,7 +50,7 @@ private:
     const ShaderKey& key_for(const State& state, PrimitiveClass primitive, bool color_varies);
     const ShaderKey& use(const ShaderKey& key);
     const DrawState& prepare(const State& state, const ShaderKey& key);
-    std::optional<RasterWork> raster_work(const State& state, const VertexBatch& batch) const;
+    std::optional<RasterWork> raster_work(const State& state, const BatchTraits& batch) const;
     bool viewport_holds_target(const State& state) const;
     void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work);
     void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
@@ -62,7 +62,7 @@ private:
     TextureId texture(Texture& texture);
     template <class Fill> void refill(UniformGroup group, int size, Fill fill);
     template <class Draw>
-    void for_each_program(const State& state, const VertexBatch& batch, std::span<const DrawRun> runs,
+    void for_each_program(const State& state, const BatchTraits& batch, std::span<const DrawRun> runs,
                           Draw draw);
 
     Backend& backend_;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace legacygl {
 
@@ -180,8 +181,16 @@ template <class Id, void (Backend::*destroy)(Id)> class BackendObject
 {
 public:
     BackendObject() = default;
-    BackendObject(const BackendObject&) = delete;
-    BackendObject& operator=(const BackendObject&) = delete;
+    BackendObject(BackendObject&& other) noexcept
+        : backend_(other.backend_), id_(std::exchange(other.id_, 0)), generation_(other.generation_)
+    {}
+    BackendObject& operator=(BackendObject&& other) noexcept
+    {
+        std::swap(backend_, other.backend_);
+        std::swap(id_, other.id_);
+        std::swap(generation_, other.generation_);
+        return *this;
+    }
     ~BackendObject() { reset(); }
 
     /// Whether the object is there; if not, its maker makes it again.

@@ -38,8 +38,6 @@ struct Context
     std::vector<SavedClientAttributes> client_attributes; ///< Of glPushClientAttrib.
     int list_depth = 0;                                   ///< How many lists are being called.
     Capture capture;
-    int width;
-    int height;
     const bool double_buffered;
 
     /// Notes an error; the first one stays until glGetError (OpenGL 1.5, 2.5).
@@ -65,8 +63,6 @@ struct Context
         capture.note(name, list_depth, state.transform.modelview.top().values(), args...);
     }
 
-    /// Notes the target's size in pixels.
-    void set_size(int w, int h);
     void begin(GLenum mode);
     void end();
     /// Draws the vertices that wait; every change of state does so first.

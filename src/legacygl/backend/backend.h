@@ -158,6 +158,7 @@ public:
     virtual bool read_stencils(int x, int y, int width, int height, std::span<std::uint8_t> values) = 0;
     virtual void flush(bool wait) = 0;
 
+    /// Follows target_width and target_height, which have changed.
     virtual void resize(int width, int height) = 0;
     /// Copies the back into the front and shows the front.
     virtual void present() = 0;

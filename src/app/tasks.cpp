@@ -23,7 +23,8 @@ constexpr Task TASKS[] = {
              "stop at "
              "their limits; the turret and the wheels go all the way round.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "secondary_gun_left",
-                  "secondary_gun_right", "wheels_forward", "wheels_backward"},
+                  "secondary_gun_right", "secondary_gun_up", "secondary_gun_down", "wheels_forward",
+                  "wheels_backward"},
      .link = "orbit=62&tilt=12&axis=moving",
      .source = "src/app/commands.cpp"},
     {.kind = TaskKind::task,
@@ -144,7 +145,8 @@ constexpr Task TASKS[] = {
      .title = "The hierarchy of parts",
      .text = "The tree: the body carries the turret and fourteen wheels, the turret carries both guns. Turn "
              "one: the tree and its axis show what moves, and what comes along.",
-     .commands = {"turn_left", "turret_left", "gun_up", "secondary_gun_left", "wheels_forward", "next_axis"},
+     .commands = {"turn_left", "turret_left", "gun_up", "secondary_gun_left", "secondary_gun_up",
+                  "wheels_forward", "next_axis"},
      .link = "turret=50&gun=10&secondary_gun=-40&orbit=30&tilt=35&distance=13&axis=moving",
      .source = "src/tank/layout.cpp"},
     {.kind = TaskKind::figure,

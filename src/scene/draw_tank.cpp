@@ -58,6 +58,10 @@ template <class DrawMesh> void TankDrawing::draw_part(tank::Part part, const Dra
     glPushMatrix();
     glTranslatef(placement.pivot.x, placement.pivot.y, placement.pivot.z);
     glRotatef(degrees(joints_[placement.joint]), placement.axis.x, placement.axis.y, placement.axis.z);
+    if (const std::optional<tank::Turn>& second = placement.second) {
+        glTranslatef(second->pivot.x, second->pivot.y, second->pivot.z);
+        glRotatef(degrees(joints_[second->joint]), second->axis.x, second->axis.y, second->axis.z);
+    }
 
     if (parts_.contains(tank::index_of(part))) {
         // The mesh lies in the joint's frame with a turn and a shift of its own, which no child inherits.

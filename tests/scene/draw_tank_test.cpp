@@ -179,7 +179,7 @@ TEST_F(DrawTank, CallsOneListForEachPart)
 
 TEST_F(DrawTank, PutsTheLowTanksPartsWhereTheHighOnesAre)
 {
-    joints.radians = {0.3, -0.8, 0.2, 1.1, 2.0, -2.0};
+    joints.radians = {0.3, -0.8, 0.2, 1.1, 0.6, 2.0, -2.0};
     const recording_gl::Replay high = recording_gl::replay(draw(1.0f, 0.5f, -3.5f));
     const recording_gl::Replay low = recording_gl::replay(draw_low(1.0f, 0.5f, -3.5f));
     const std::vector<Part> order = order_of(layout);
@@ -224,7 +224,7 @@ TEST_F(DrawTank, LeavesLightTextureAndColourAsTheyWereAfterTheLowTank)
 
 TEST_F(DrawTank, DrawsOnlyThePartsAskedForAndWhereTheyHang)
 {
-    joints.radians = {0.3, -0.8, 0.2, 1.1, 2.0, -2.0};
+    joints.radians = {0.3, -0.8, 0.2, 1.1, 0.6, 2.0, -2.0};
     const recording_gl::Replay all = recording_gl::replay(draw(0.0f, 0.0f, 0.0f));
     const std::vector<Part> order = order_of(layout);
     for (std::size_t i = 0; i < order.size(); ++i) {

@@ -127,6 +127,16 @@ VIEWS = {
     'rear quarter': (140, 15, POSES[0]),
     'quarter, turned': (40, 10, POSES[1]),
     'side, turned': (90, 5, POSES[2]),
+    'rear': (180, 0, POSES[0]),
+    'other side': (270, 3, POSES[0]),
+    'nearly front': (20, 3, POSES[0]),
+    'front, from above': (0, 45, POSES[0]),
+    'side, from above': (65, 30, POSES[0]),
+    'rear, from above': (200, 40, POSES[0]),
+    'right quarter': (300, 15, POSES[0]),
+    'rear, turned': (160, 5, POSES[1]),
+    'turret back': (250, 8, POSES[3]),
+    'front, turned': (10, 20, POSES[2]),
 }
 FEW_PERCENT = 5.0
 

@@ -107,7 +107,9 @@ constexpr Task TASKS[] = {
      .title = "Assemble the low-detail tank",
      .text =
          "On the right the low model: the same tree and joints, a tenth of the triangles, no light and no "
-         "texture, one colour for each part. Turn something: both do the same.",
+         "texture: glColor3ub gives each face the mean of its paint, as the sun shines there. Turn "
+         "something: "
+         "both do the same.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "turn_left", "turn_right",
                   "next_detail"},
      .link = "heading=-16&orbit=0&tilt=20&distance=14.5&look_x=1.9&look_y=1.2&look_z=0&detail=both",

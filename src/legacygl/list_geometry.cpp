@@ -14,11 +14,19 @@ ListGeometry::ListGeometry(VertexBatch batch) : traits(batch), vertices(std::mak
     for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
         if (batch.format.components[i] == 0)
             constants |= batch.attributes_set & (1u << i);
-    if (drawable)
-        make_runs(batch.primitives, vertices->runs, vertices->indices);
-    run_count = static_cast<std::uint32_t>(vertices->runs.size());
-    if (run_count > 0)
-        first_run = vertices->runs.front();
+    if (drawable) {
+        const std::size_t of_one_color = batch.primitives_of_one_color();
+        const std::span<const Primitive> primitives = batch.primitives;
+        std::vector<DrawRun>& runs_made = vertices->runs;
+        std::vector<DrawRun> others;
+        make_runs(primitives.first(of_one_color), runs_made, vertices->indices);
+        make_runs(primitives.subspan(of_one_color), others, vertices->indices);
+        runs_of_one_color = static_cast<std::uint32_t>(runs_made.size());
+        runs_made.insert(runs_made.end(), others.begin(), others.end());
+        run_count = static_cast<std::uint32_t>(runs_made.size());
+        if (run_count > 0)
+            first_run = runs_made.front();
+    }
     vertices->batch = std::move(batch);
 }
 

@@ -26,6 +26,7 @@ struct ListGeometry
     std::uint32_t constants = 0;
     GeometryObject object; ///< The backend's copy, made at the first draw.
     std::uint32_t run_count = 0;
+    std::uint32_t runs_of_one_color = 0; ///< Of primitives_of_one_color(), which come first.
     DrawRun first_run{};
     BatchTraits traits; ///< The vertices'.
 

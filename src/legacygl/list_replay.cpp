@@ -94,18 +94,26 @@ void note_calls(Context& gl, const VertexBatch& batch)
 
 /// Begins a primitive whose vertices count as having got attributes one by one if they had in the list, also
 /// those that are the same for all: Mesa interpolates such a colour, which may end a rounding beside it.
-void begin_varying(Context& gl, GLenum mode, const VertexBatch& batch)
+void begin_varying(Context& gl, GLenum mode, const VertexBatch& batch, std::size_t primitive)
 {
     gl.begin(mode);
-    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-        if (batch.varies(static_cast<Attribute>(i)))
-            gl.immediate.set_varying(static_cast<Attribute>(i));
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i) {
+        const auto attribute = static_cast<Attribute>(i);
+        if (batch.varies(attribute) &&
+            (attribute != Attribute::color || primitive >= batch.primitives_of_one_color()))
+            gl.immediate.set_varying(attribute);
+    }
 }
 
 void replay_vertices(Context& gl, const VertexBatch& batch)
 {
+    std::size_t primitive = 0;
     visit(
-        batch, [&](GLenum mode) { begin_varying(gl, mode, batch); }, [&] { gl.end(); },
+        batch, [&](GLenum mode) { begin_varying(gl, mode, batch, primitive); },
+        [&] {
+            gl.end();
+            ++primitive;
+        },
         [&](Attribute a, int n, const glm::vec4& v) {
             if (n != 0)
                 gl.immediate.attribute(a, n, v);

@@ -1,6 +1,6 @@
 #include "legacygl/primitives.h"
 
-#include "legacygl/quad_cut.h"
+#include "legacygl/quad_order.h"
 
 namespace legacygl {
 namespace {
@@ -37,7 +37,7 @@ PrimitiveClass class_of(GLenum mode)
 }
 
 void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::vector<std::uint32_t>& out,
-                    bool quads_from_first)
+                    QuadOrder quad_order)
 {
     const auto line = [&](std::uint32_t a, std::uint32_t b) {
         out.insert(out.end(), {first + a, first + b});
@@ -75,14 +75,17 @@ void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::
         break;
     case GL_QUADS:
         for (std::uint32_t i = 0; i + 3 < count; i += 4) {
-            triangle(i, i + 1, quads_from_first ? i + 2 : i + 3);
-            triangle(quads_from_first ? i : i + 1, i + 2, i + 3);
+            triangle(i, i + 1, quad_order.from_first ? i + 2 : i + 3);
+            triangle(quad_order.from_first ? i : i + 1, i + 2, i + 3);
         }
         break;
     case GL_QUAD_STRIP:
         for (std::uint32_t i = 0; i + 3 < count; i += 2) {
-            triangle(i, i + 1, i + 3);
+            if (quad_order.emitted)
+                triangle(i, i + 1, i + 3);
             triangle(i + 2, i, i + 3);
+            if (!quad_order.emitted)
+                triangle(i, i + 1, i + 3);
         }
         break;
     case GL_POLYGON:
@@ -95,7 +98,7 @@ void append_indices(GLenum mode, std::uint32_t first, std::uint32_t count, std::
 }
 
 void make_runs(std::span<const Primitive> primitives, std::vector<DrawRun>& runs,
-               std::vector<std::uint32_t>& indices, QuadCut* quad_cut)
+               std::vector<std::uint32_t>& indices, QuadOrders* quad_orders)
 {
     for (std::size_t p = 0; p < primitives.size(); ++p) {
         const Primitive& primitive = primitives[p];
@@ -123,8 +126,8 @@ void make_runs(std::span<const Primitive> primitives, std::vector<DrawRun>& runs
                 indices.push_back(last->first + i);
             *last = {cls, true, begin, last->count};
         }
-        const bool from_first = primitive.mode == GL_QUADS && quad_cut && quad_cut->from_first(p);
-        append_indices(primitive.mode, primitive.first, primitive.count, indices, from_first);
+        append_indices(primitive.mode, primitive.first, primitive.count, indices,
+                       quad_orders ? quad_orders->of(p) : QuadOrder{});
         const auto added = static_cast<std::uint32_t>(indices.size()) - begin;
         if (added == 0)
             continue;

@@ -1,6 +1,6 @@
 #include "legacygl/renderer.h"
 
-#include "legacygl/quad_cut.h"
+#include "legacygl/quad_order.h"
 #include "legacygl/shader_text.h"
 #include "legacygl/shader_values.h"
 
@@ -24,10 +24,9 @@ bool stipples(const State& state, PrimitiveClass primitive)
 }
 
 /// Returns whether flat shading takes a colour from one vertex that others may not have.
-bool takes_vertex_color(const State& state, const VertexBatch& batch)
+bool takes_vertex_color(const State& state, bool color_varies)
 {
-    return state.lighting.shade_model == GL_FLAT &&
-           (state.lighting.enabled || batch.varies(Attribute::color));
+    return state.lighting.shade_model == GL_FLAT && (state.lighting.enabled || color_varies);
 }
 
 /// Returns whether a vertex of the batch has a material of its own that shines.
@@ -188,7 +187,7 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
 
 /// Calls draw for each stretch of runs that one program draws: points need their own, and so may polygons.
 template <class Draw>
-void Renderer::for_each_program(const State& state, const BatchTraits& batch, std::span<const DrawRun> runs,
+void Renderer::for_each_program(const State& state, bool color_varies, std::span<const DrawRun> runs,
                                 Draw draw)
 {
     const auto kind = [&](const DrawRun& run) {
@@ -198,8 +197,7 @@ void Renderer::for_each_program(const State& state, const BatchTraits& batch, st
         const auto end = std::find_if(runs.begin(), runs.end(),
                                       [&](const DrawRun& run) { return kind(run) != kind(runs.front()); });
         const auto count = static_cast<std::size_t>(end - runs.begin());
-        draw(prepare(state, key_for(state, runs.front().primitive, batch.varies(Attribute::color))),
-             runs.first(count));
+        draw(prepare(state, key_for(state, runs.front().primitive, color_varies)), runs.first(count));
         runs = runs.subspan(count);
     }
 }
@@ -207,31 +205,44 @@ void Renderer::for_each_program(const State& state, const BatchTraits& batch, st
 void Renderer::draw(const State& state, const VertexBatch& batch)
 {
     if (const std::optional<RasterWork> work = raster_work(state, batch))
-        return draw_shaded(state, batch, *work);
+        return draw_shaded(state, batch, *work, false);
+    const std::span<const Primitive> primitives = batch.primitives;
+    draw_batch(state, batch, primitives.first(batch.primitives_of_one_color()), false);
+    draw_batch(state, batch, primitives.subspan(batch.primitives_of_one_color()), true);
+}
+
+void Renderer::draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
+                          bool color_varies)
+{
+    if (primitives.empty())
+        return;
     runs_.clear();
     indices_.clear();
-    QuadCut quad_cut(state, batch, takes_vertex_color(state, batch));
-    make_runs(batch.primitives, runs_, indices_, &quad_cut);
-    for_each_program(state, batch, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
-        backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
-    });
+    QuadOrders quad_orders(state, batch, primitives, takes_vertex_color(state, color_varies), false);
+    make_runs(primitives, runs_, indices_, &quad_orders);
+    for_each_program(
+        state, color_varies, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+            backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
+        });
 }
 
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
     const ListGeometry::Vertices& vertices = *geometry.vertices;
     if (const std::optional<RasterWork> work = raster_work(state, geometry.traits))
-        return draw_shaded(state, vertices.batch, *work);
+        return draw_shaded(state, vertices.batch, *work, true);
     if (!geometry.object.valid())
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.traits.format, vertices.batch.used_vertices(),
                                                      vertices.indices));
-    for_each_program(state, geometry.traits, geometry.runs(),
-                     [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
-                         if (!backend_.draw(draw_state, geometry.object.id(), runs))
-                             backend_.draw_stream(draw_state, geometry.traits.format,
-                                                  vertices.batch.used_vertices(), vertices.indices, runs);
-                     });
+    const auto draw = [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+        if (!backend_.draw(draw_state, geometry.object.id(), runs))
+            backend_.draw_stream(draw_state, geometry.traits.format, vertices.batch.used_vertices(),
+                                 vertices.indices, runs);
+    };
+    const std::span<const DrawRun> runs = geometry.runs();
+    for_each_program(state, false, runs.first(geometry.runs_of_one_color), draw);
+    for_each_program(state, true, runs.subspan(geometry.runs_of_one_color), draw);
 }
 
 /// Returns whether no pixel of the target is outside the viewport. ES may cut a point off at the viewport's
@@ -248,7 +259,8 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchT
 {
     const RasterState& raster = state.raster;
     const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
-    const RasterWork work{raster.unfilled(), wide, raster.line_smooth, raster.point_smooth};
+    const RasterWork work{raster.unfilled() || raster.offsets_in_pipeline(), wide, raster.line_smooth,
+                          raster.point_smooth};
     const bool own_materials = state.lighting.enabled && batch.changes_materials;
     const bool all =
         state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
@@ -265,20 +277,30 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchT
     return batch.modes & needed ? std::optional(work) : std::nullopt;
 }
 
-void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work)
+void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list)
 {
-    ShaderKey key = make_shader_key(state, PrimitiveClass::triangles, batch.varies(Attribute::color));
+    const std::span<const Primitive> primitives = batch.primitives;
+    draw_shaded(state, batch, primitives.first(batch.primitives_of_one_color()), false, work, in_list);
+    draw_shaded(state, batch, primitives.subspan(batch.primitives_of_one_color()), true, work, in_list);
+}
+
+void Renderer::draw_shaded(const State& state, const VertexBatch& batch,
+                           std::span<const Primitive> primitives, bool color_varies, const RasterWork& work,
+                           bool in_list)
+{
+    if (primitives.empty())
+        return;
+    ShaderKey key = make_shader_key(state, PrimitiveClass::triangles, color_varies);
     key.specular = key.specular || shines(batch);
     VertexShading shading(state, key);
     const std::vector<ShadedVertex> vertices = shading.shade(batch);
     RasterOutput output(key, shading.viewport(), state.raster.line_width / 2,
                         state.fragment.effective_logic_op() != GL_COPY);
     PrimitivePipeline stages(state, key, work, shading, stipple_counter_, output);
-    QuadCut quad_cut(state, batch, takes_vertex_color(state, batch) || work.unfilled);
-    for (std::size_t p = 0; p < batch.primitives.size(); ++p) {
-        const Primitive& primitive = batch.primitives[p];
-        const bool from_first = primitive.mode == GL_QUADS && quad_cut.from_first(p);
-        stages.draw(primitive.mode, from_first,
+    QuadOrders quad_orders(state, batch, primitives, takes_vertex_color(state, color_varies), in_list);
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+        const Primitive& primitive = primitives[p];
+        stages.draw(primitive.mode, quad_orders.of(p),
                     std::span(vertices).subspan(primitive.first, primitive.count));
     }
     draw_shaded(state, key, work, output);

@@ -46,6 +46,8 @@ struct TextureKey
     GLenum minify = 0; ///< Only where the border shows.
     GLenum magnify = 0;
     bool operator==(const TextureKey&) const = default;
+    /// Whether the shader clamps the coordinates before it looks a texel up, see Es3Textures::sampling.
+    bool clamps() const { return has_border() && minify == GL_LINEAR && magnify == GL_LINEAR; }
     bool has_border() const { return border_wrap[0] != 0 || border_wrap[1] != 0; }
     bool generates(GLenum mode) const
     {

@@ -138,6 +138,19 @@ private:
     int unit_;
 };
 
+/// Returns the beginning of a call that looks a texel up.
+std::string lookup(const TextureKey& texture, int unit)
+{
+    const std::string number = std::to_string(unit), place = "texture_position_" + number;
+    if (!texture.clamps())
+        return "textureProj(texture_" + number + ", " + place;
+    const auto along = [&](std::size_t i, const char* name) {
+        const std::string at = place + name + " / " + place + ".w";
+        return texture.border_wrap[i] ? "clamp(" + at + ", 0.0, 1.0)" : at;
+    };
+    return "texture(texture_" + number + ", vec2(" + along(0, ".x") + ", " + along(1, ".y") + ")";
+}
+
 } // namespace
 
 std::string texture_coordinate_text(const ShaderKey& key, int unit)
@@ -170,8 +183,7 @@ std::string texture_environment_text(const ShaderKey& key)
     std::string text = "    vec4 primary = c;\n";
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         if (key.textures[unit].format != BaseFormat::none)
-            text += "    vec4 " + texel(unit) + " = textureProj(texture_" + std::to_string(unit) +
-                    ", texture_position_" + std::to_string(unit) +
+            text += "    vec4 " + texel(unit) + " = " + lookup(key.textures[unit], unit) +
                     (key.textures[unit].lod_bias ? ", " + texturing(unit, texturing_layout::LOD_BIAS) + ".x"
                                                  : "") +
                     ");\n" + border_text(key, unit);

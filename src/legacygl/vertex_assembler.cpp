@@ -170,7 +170,10 @@ void VertexAssembler::set(Attribute attribute, int components, glm::vec4 value)
     if ((has_vertices() || batch_.format.components[i] != 0) && wanted && !fits(i, components, value))
         widen(attribute, components, value);
     batch_.attributes_set |= 1u << i;
-    (inside_ ? batch_.attributes_varying : set_between_) |= 1u << i;
+    if (inside_)
+        set_varying(attribute);
+    else
+        set_between_ |= 1u << i;
     (*current_)[i] = value;
     const int present = batch_.format.components[i];
     if (!wanted)

@@ -41,7 +41,8 @@ struct BatchTraits
     /// Which attributes a primitive's vertices may have got one by one. An attribute that is not among them
     /// is the same for all vertices of a primitive.
     std::uint32_t attributes_varying = 0;
-    std::uint32_t modes = 0; ///< Of the primitives, as bits: 1 << GL_TRIANGLES …
+    std::uint32_t colors_vary_from = 0; ///< Where colours vary, the first primitive they were given in.
+    std::uint32_t modes = 0;            ///< Of the primitives, as bits: 1 << GL_TRIANGLES …
     std::uint32_t vertex_count = 0;
     bool changes_materials = false; ///< Some vertices have a material of their own.
     CurrentAttributes last{};
@@ -61,6 +62,11 @@ struct VertexBatch : BatchTraits
     std::array<std::uint32_t, ATTRIBUTE_COUNT> unset_before{};
     std::array<Material, 2> materials_before;
 
+    /// Returns how many primitives at the beginning have one colour each.
+    std::size_t primitives_of_one_color() const
+    {
+        return varies(Attribute::color) ? colors_vary_from : primitives.size();
+    }
     std::span<const float> used_vertices() const
     {
         return {vertices.data(), static_cast<std::size_t>(vertex_count) * format.floats()};
@@ -101,7 +107,12 @@ public:
         return has_vertices() && (set_between_ & (1u << index_of(attribute)));
     }
     /// Takes an attribute for one that vertices get one by one.
-    void set_varying(Attribute attribute) { batch_.attributes_varying |= 1u << index_of(attribute); }
+    void set_varying(Attribute attribute)
+    {
+        if (attribute == Attribute::color && !batch_.varies(attribute))
+            batch_.colors_vary_from = static_cast<std::uint32_t>(batch_.primitives.size());
+        batch_.attributes_varying |= 1u << index_of(attribute);
+    }
     /// Says that the primitive's vertices come by index.
     void set_indexed() { indexed_ = true; }
     /// Goes on with a primitive that a previous batch began.

@@ -116,6 +116,8 @@ struct Sampling
     GLint max_level = 1000;
     GLfloat min_lod = -1000;
     GLfloat max_lod = 1000;
+    /// Whether one level is filtered linearly, however large or small it appears.
+    bool is_linear() const { return minify == GL_LINEAR && magnify == GL_LINEAR; }
     bool operator==(const Sampling&) const = default;
 };
 

@@ -37,9 +37,12 @@ void Es3Textures::sampling(TextureId id, const Sampling& sampling)
     const auto set = [this](GLenum name, GLenum value) {
         gl_.TexParameteri(GL_TEXTURE_2D, name, static_cast<GLint>(value));
     };
-    // ES has no borders: the shader mixes their colour in (shader_border_text.cpp).
-    const auto wrap = [](GLenum mode) {
-        return mode == GL_CLAMP || mode == GL_CLAMP_TO_BORDER ? GLenum{GL_CLAMP_TO_EDGE} : mode;
+    // ES has no borders: the shader mixes their colour in (shader_border_text.cpp). Where it also clamps the
+    // coordinates, mirroring is clamping to the edge, but Mesa then filters with floats as for a border.
+    const auto wrap = [&](GLenum mode) {
+        if (mode != GL_CLAMP && mode != GL_CLAMP_TO_BORDER)
+            return mode;
+        return sampling.is_linear() ? GLenum{GL_MIRRORED_REPEAT} : GLenum{GL_CLAMP_TO_EDGE};
     };
     set(GL_TEXTURE_MIN_FILTER, sampling.minify);
     set(GL_TEXTURE_MAG_FILTER, sampling.magnify);

@@ -17,6 +17,7 @@ ShadedVertex cut(const ViewportTransform& viewport, const ShadedVertex& from, co
     ShadedVertex out;
     out.clip = from.clip + t * (to.clip - from.clip);
     out.window = viewport.window_of_cut(out.clip);
+    out.moved = true;
     out.varyings = mix(from.varyings, to.varyings, t);
     out.point_size = from.point_size + t * (to.point_size - from.point_size);
     return out;

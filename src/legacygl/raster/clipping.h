@@ -21,8 +21,9 @@ public:
 
     /// Returns which planes the point is beyond, as bits.
     std::uint32_t outside(const glm::vec4& clip) const;
-    /// Returns whether only the user's planes are asked about.
     static bool is_user_plane(int plane) { return plane >= VIEW_PLANES; }
+    /// Returns whether one of the user's planes is among those that outside() told.
+    static bool has_user_plane(std::uint32_t outside) { return outside >> VIEW_PLANES != 0; }
     const glm::vec4& plane(int i) const { return planes_[i]; }
 
 private:

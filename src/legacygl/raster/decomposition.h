@@ -1,5 +1,7 @@
 #pragma once
 
+#include "legacygl/primitives.h"
+
 #include <GL/gl.h>
 
 #include <cstdint>
@@ -20,9 +22,9 @@ struct DecomposedTriangle
 ///
 /// Follows the order of Mesa's pipeline, which differs from that of append_indices(): which triangle comes
 /// first is seen in line stipples and blended edges. first_vertex: the first vertex of a line or triangle
-/// provokes, else its last. quads_from_first: quads are cut from their first corner, see QuadCut.
+/// provokes, else its last.
 template <class Point, class Line, class Triangle>
-void decompose(GLenum mode, std::uint32_t count, bool first_vertex, bool quads_from_first, Point point,
+void decompose(GLenum mode, std::uint32_t count, bool first_vertex, QuadOrder quad_order, Point point,
                Line line, Triangle triangle)
 {
     constexpr std::uint32_t E0 = 1, E1 = 2, E2 = 4, ALL = 7;
@@ -66,7 +68,10 @@ void decompose(GLenum mode, std::uint32_t count, bool first_vertex, bool quads_f
         break;
     case GL_QUADS:
         for (std::uint32_t i = 0; i + 3 < count; i += 4) {
-            if (first_vertex || quads_from_first) {
+            if (first_vertex && quad_order.emitted) {
+                triangle(DecomposedTriangle{{i + 3, i, i + 1}, E0 | E1, true});
+                triangle(DecomposedTriangle{{i + 3, i + 1, i + 2}, E1 | E2, false});
+            } else if (first_vertex || quad_order.from_first) {
                 triangle(DecomposedTriangle{{i, i + 1, i + 2}, E0 | E1, true});
                 triangle(DecomposedTriangle{{i, i + 2, i + 3}, E1 | E2, false});
             } else {
@@ -77,9 +82,15 @@ void decompose(GLenum mode, std::uint32_t count, bool first_vertex, bool quads_f
         break;
     case GL_QUAD_STRIP:
         for (std::uint32_t i = 0; i + 3 < count; i += 2) {
-            if (first_vertex) {
+            if (first_vertex && quad_order.emitted) {
+                triangle(DecomposedTriangle{{i + 3, i, i + 1}, E0 | E1, true});
+                triangle(DecomposedTriangle{{i + 3, i + 2, i}, E1 | E2, false});
+            } else if (first_vertex) {
                 triangle(DecomposedTriangle{{i, i + 3, i + 2}, E0 | E1, true});
                 triangle(DecomposedTriangle{{i, i + 1, i + 3}, E1 | E2, false});
+            } else if (quad_order.emitted) {
+                triangle(DecomposedTriangle{{i, i + 1, i + 3}, E0 | E1, true});
+                triangle(DecomposedTriangle{{i + 2, i, i + 3}, E0 | E2, false});
             } else {
                 triangle(DecomposedTriangle{{i + 2, i, i + 3}, E0 | E2, true});
                 triangle(DecomposedTriangle{{i, i + 1, i + 3}, E0 | E1, false});

@@ -31,11 +31,16 @@ struct PixelBox
     }
 };
 
+/// How far coordinates count.
+constexpr int FARTHEST = 1 << 20;
+/// Holds all pixels.
+constexpr PixelBox EVERYWHERE{-FARTHEST, -FARTHEST, FARTHEST, FARTHEST};
+
 /// Returns a box that holds all pixels of a primitive that reaches beyond its vertices by at most so many
 /// pixels.
 inline PixelBox box_of(std::span<const ShadedVertex> vertices, float reach)
 {
-    constexpr float FAR = 1 << 20;
+    constexpr float FAR = FARTHEST;
     glm::vec4 least(FAR), greatest(-FAR);
     for (const ShadedVertex& vertex : vertices)
         for (int i = 0; i < 2; ++i) {

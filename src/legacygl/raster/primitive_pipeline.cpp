@@ -54,10 +54,10 @@ PrimitivePipeline::PrimitivePipeline(const State& state, const ShaderKey& key, c
       stippled_(state.raster.line_stipple.stipples()), stipple_counter_(stipple_counter), out_(out)
 {}
 
-void PrimitivePipeline::draw(GLenum mode, bool quads_from_first, std::span<const ShadedVertex> vertices)
+void PrimitivePipeline::draw(GLenum mode, QuadOrder quad_order, std::span<const ShadedVertex> vertices)
 {
     decompose(
-        mode, static_cast<std::uint32_t>(vertices.size()), first_vertex_, quads_from_first,
+        mode, static_cast<std::uint32_t>(vertices.size()), first_vertex_, quad_order,
         [&](std::uint32_t i) { point(vertices[i]); },
         [&](std::uint32_t i, std::uint32_t j, bool begins) { line(vertices[i], vertices[j], begins); },
         [&](const DecomposedTriangle& t) { polygon(vertices, t); });
@@ -95,7 +95,8 @@ void PrimitivePipeline::polygon(std::span<const ShadedVertex> vertices, const De
 {
     Triangle whole = {vertices[from.vertices[0]], vertices[from.vertices[1]], vertices[from.vertices[2]]};
     make_flat(whole, first_vertex_ ? 0 : 2);
-    if ((whole[0].outside | whole[1].outside | whole[2].outside) == 0)
+    const std::uint32_t outside = whole[0].outside | whole[1].outside | whole[2].outside;
+    if (outside == 0)
         return triangle(whole, from.edges, from.begins_polygon);
     ClippedPolygon polygon;
     polygon.count = 3;
@@ -105,6 +106,8 @@ void PrimitivePipeline::polygon(std::span<const ShadedVertex> vertices, const De
     }
     if (!clip_polygon(shading_.volume(), shading_.viewport(), polygon))
         return;
+    if (!work_.unfilled && !ClipVolume::has_user_plane(outside))
+        return whole_triangle(whole, polygon);
     // A fan around the first vertex left, which takes the place of the provoking one.
     for (std::size_t i = 2, n = static_cast<std::size_t>(polygon.count); i < n; ++i) {
         const bool first = i == 2 && polygon.edges[0], middle = polygon.edges[i - 1],
@@ -118,22 +121,40 @@ void PrimitivePipeline::polygon(std::span<const ShadedVertex> vertices, const De
     }
 }
 
-void PrimitivePipeline::triangle(Triangle& t, std::uint32_t edges, bool begins)
+/// Draws a triangle that only the view volume cuts, which ES does as Mesa does. inside: what is left of it,
+/// whose turning tells the face.
+void PrimitivePipeline::whole_triangle(Triangle& whole, const ClippedPolygon& inside)
 {
-    const RasterState& raster = state_.raster;
-    const float area = determinant(t);
-    const bool counter_clockwise = raster.front_face == GL_CCW;
-    // Without an area it is a back face where faces are culled, and the face that turns counter-clockwise
-    // else.
-    const bool back = counter_clockwise ? area < 0 : area > 0;
-    if (work_.unfilled && raster.culls(back || area == 0 ? 1 : 0))
-        return;
+    float area = 0;
+    for (std::size_t i = 2; area == 0 && i < static_cast<std::size_t>(inside.count); ++i)
+        area = determinant({inside.vertices[i - 1], inside.vertices[i], inside.vertices[0]});
+    choose_face(whole, area);
+    stipple_counter_ = 0;
+    out_.triangle(whole[0], whole[1], whole[2]);
+}
+
+/// Takes the colours of the face that a triangle of this area shows. Without an area it is the face that
+/// turns counter-clockwise. Returns whether that is the back.
+bool PrimitivePipeline::choose_face(Triangle& t, float area) const
+{
+    const bool back = state_.raster.front_face == GL_CCW ? area < 0 : area > 0;
     if (key_.two_side && back)
         for (ShadedVertex& v : t) {
             v.varyings.color[0] = v.varyings.color[1];
             v.varyings.secondary[0] = v.varyings.secondary[1];
         }
-    const bool back_mode = counter_clockwise ? area < 0 : area >= 0;
+    return back;
+}
+
+void PrimitivePipeline::triangle(Triangle& t, std::uint32_t edges, bool begins)
+{
+    const RasterState& raster = state_.raster;
+    const float area = determinant(t);
+    const bool back = choose_face(t, area);
+    // Where faces are culled, one without an area is a back face.
+    if (work_.unfilled && raster.culls(back || area == 0 ? 1 : 0))
+        return;
+    const bool back_mode = back || (area == 0 && raster.front_face != GL_CCW);
     const GLenum mode = raster.polygon_mode[back_mode ? 1 : 0];
     if (!work_.unfilled || mode == GL_FILL) {
         if (work_.unfilled)
@@ -172,8 +193,10 @@ void PrimitivePipeline::offset(Triangle& t, float area, GLenum mode) const
         slope =
             std::max(std::fabs((e.y * f.z - e.z * f.y) / area), std::fabs((e.z * f.x - e.x * f.z) / area));
     const float by = raster.polygon_offset_units * SMALLEST_DEPTH_STEP + slope * raster.polygon_offset_factor;
-    for (ShadedVertex& v : t)
-        shading_.viewport().offset_depth(v.clip, v.window, by);
+    for (ShadedVertex& v : t) {
+        v.window.z = std::min(std::max(v.window.z + by, 0.0f), 1.0f);
+        v.moved = true;
+    }
 }
 
 /// Cuts a line into the stretches that the stipple draws (OpenGL 1.5, 3.4.2).

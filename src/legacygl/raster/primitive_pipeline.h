@@ -28,7 +28,7 @@ public:
     PrimitivePipeline(const State& state, const ShaderKey& key, const RasterWork& work,
                       const VertexShading& shading, std::uint32_t& stipple_counter, RasterOutput& out);
 
-    void draw(GLenum mode, bool quads_from_first, std::span<const ShadedVertex> vertices);
+    void draw(GLenum mode, QuadOrder quad_order, std::span<const ShadedVertex> vertices);
 
 private:
     using Triangle = std::array<ShadedVertex, 3>;
@@ -36,6 +36,8 @@ private:
     void point(const ShadedVertex& vertex);
     void line(const ShadedVertex& a, const ShadedVertex& b, bool begins);
     void polygon(std::span<const ShadedVertex> vertices, const DecomposedTriangle& triangle);
+    void whole_triangle(Triangle& whole, const ClippedPolygon& inside);
+    bool choose_face(Triangle& triangle, float area) const;
     void triangle(Triangle& triangle, std::uint32_t edges, bool begins);
     void offset(Triangle& triangle, float determinant, GLenum mode) const;
     void make_flat(std::span<ShadedVertex> vertices, std::size_t provoking) const;

@@ -65,6 +65,11 @@ void RasterOutput::add(const glm::vec4& clip, const glm::vec4& extra, const Vary
     ++draws_.back().count;
 }
 
+glm::vec4 RasterOutput::clip_of(const ShadedVertex& vertex) const
+{
+    return vertex.moved ? viewport_.clip_onto(vertex.window, vertex.clip) : vertex.clip;
+}
+
 void RasterOutput::point(const ShadedVertex& vertex)
 {
     begin({PrimitiveClass::points, Coverage::whole, false, true, 0, 0, {}},
@@ -78,15 +83,17 @@ void RasterOutput::line(const ShadedVertex& a, const ShadedVertex& b)
     const std::array<ShadedVertex, 2> ends = {a, b};
     begin({PrimitiveClass::lines, Coverage::whole, false, false, 0, 0, {}}, box_of(ends, line_reach_));
     for (const ShadedVertex& v : ends)
-        add(v.clip, {}, v.varyings);
+        add(clip_of(v), {}, v.varyings);
 }
 
 void RasterOutput::triangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c)
 {
     const std::array<ShadedVertex, 3> corners = {a, b, c};
-    begin({PrimitiveClass::triangles, Coverage::whole, true, false, 0, 0, {}}, box_of(corners, 0));
+    const bool cut = (a.outside | b.outside | c.outside) != 0;
+    begin({PrimitiveClass::triangles, Coverage::whole, true, false, 0, 0, {}},
+          cut ? EVERYWHERE : box_of(corners, 0));
     for (const ShadedVertex& v : corners)
-        add(v.clip, {}, v.varyings);
+        add(clip_of(v), {}, v.varyings);
 }
 
 void RasterOutput::quadrilateral(Coverage coverage, const std::array<ShadedVertex, 4>& corners,

@@ -41,6 +41,7 @@ public:
 
     void point(const ShadedVertex& vertex);
     void line(const ShadedVertex& a, const ShadedVertex& b);
+    /// The corners may be outside of the view volume.
     void triangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c);
     /// A quadrilateral that stands for a line or a point: its corners are where their window coordinates say.
     void quadrilateral(Coverage coverage, const std::array<ShadedVertex, 4>& corners,
@@ -53,6 +54,7 @@ public:
 private:
     void begin(const ShadedDraw& wanted, const PixelBox& box);
     bool overlaps_last_draw(const PixelBox& box) const;
+    glm::vec4 clip_of(const ShadedVertex& vertex) const;
     void add(const glm::vec4& clip, const glm::vec4& extra, const Varyings& varyings);
 
     const ViewportTransform& viewport_;

@@ -41,6 +41,7 @@ struct ShadedVertex
     Varyings varyings;
     float point_size = 1;
     bool edge_flag = true;
+    bool moved = false;        ///< The window coordinates are not what ES would make of the clip coordinates.
     std::uint32_t outside = 0; ///< Bit i: beyond plane i of the clip volume, see ClipVolume.
 };
 

@@ -122,12 +122,12 @@ glm::vec3 VertexShading::eye_normal(const glm::vec4& normal) const
 float VertexShading::point_size(const glm::vec4& eye) const
 {
     const PointParameters& parameters = state_.raster.point_parameters;
-    const float size = state_.raster.clamped_point_size();
     if (!parameters.attenuates())
-        return size;
+        return state_.raster.clamped_point_size();
     const float distance = std::fabs(eye.z);
     const std::array<float, 3>& a = parameters.attenuation;
-    const float attenuated = 1.0f / std::sqrt(distance * (distance * a[2] + a[1]) + a[0]) * size;
+    const float attenuated =
+        1.0f / std::sqrt(distance * (distance * a[2] + a[1]) + a[0]) * state_.raster.point_size;
     return std::min(std::min(std::max(attenuated, parameters.minimum), parameters.maximum),
                     MAXIMUM_POINT_SIZE);
 }

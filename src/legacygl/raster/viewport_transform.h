@@ -5,6 +5,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <cmath>
+
 namespace legacygl {
 
 /// a · b + c, rounded once. Mesa's software renderer computes so where the processor can; the last bit of a
@@ -62,13 +64,25 @@ public:
                 w};
     }
 
-    /// Moves a vertex's depth by a part of the depth buffer's range, within it.
-    void offset_depth(glm::vec4& clip, glm::vec4& window, float offset) const
+    /// Returns clip coordinates within the view volume, with the same w, that window() maps onto the window
+    /// coordinates, or as close to them as floats come. clip: where to begin.
+    glm::vec4 clip_onto(const glm::vec4& window, glm::vec4 clip) const
     {
-        const float z = window.z + offset;
-        window.z = z < 0 ? 0.0f : z > 1 ? 1.0f : z;
-        if (scale_.z != 0)
-            clip.z = (window.z - translate_.z) / scale_.z * clip.w;
+        for (int i = 0; i < 3; ++i) {
+            if (scale_[i] == 0)
+                continue;
+            const auto miss = [&](float value) {
+                return std::fabs(fused(value * (1.0f / clip.w), scale_[i], translate_[i]) - window[i]);
+            };
+            if (!(miss(clip[i]) <= 1.0f / 1024))
+                clip[i] = (window[i] - translate_[i]) / scale_[i] * clip.w;
+            clip[i] = std::fmax(std::fmin(clip[i], clip.w), -clip.w);
+            for (const float towards : {-clip.w, clip.w})
+                for (float next = std::nextafter(clip[i], towards); miss(next) < miss(clip[i]);
+                     next = std::nextafter(clip[i], towards))
+                    clip[i] = next;
+        }
+        return clip;
     }
 
 private:

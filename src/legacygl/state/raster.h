@@ -63,12 +63,20 @@ struct RasterState
     PointParameters point_parameters;
     GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
 
-    /// Returns the size of points before their distance counts.
+    /// Returns the size of points whose distance does not count. A minimum above the maximum leaves it open
+    /// (OpenGL 1.5, 3.3); the minimum then counts, as in Mesa.
     GLfloat clamped_point_size() const
     {
-        const GLfloat least = point_size < point_parameters.minimum ? point_parameters.minimum : point_size;
-        const GLfloat size = least > point_parameters.maximum ? point_parameters.maximum : least;
+        const GLfloat most = point_size > point_parameters.maximum ? point_parameters.maximum : point_size;
+        const GLfloat size = most < point_parameters.minimum ? point_parameters.minimum : most;
         return size > MAXIMUM_POINT_SIZE ? MAXIMUM_POINT_SIZE : size;
+    }
+    /// Returns whether polygons are offset at their vertices, as Mesa does where it does any such work
+    /// itself.
+    bool offsets_in_pipeline() const
+    {
+        return (line_smooth || point_smooth || line_stipple.enabled || polygon_stipple.enabled) &&
+               (polygon_offset_fill || polygon_offset_line || polygon_offset_point);
     }
     /// Returns whether polygons of the face (0 front, 1 back) are culled.
     bool culls(int face) const

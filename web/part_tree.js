@@ -1,5 +1,5 @@
 // The tree of parts: what hangs on what, which part's joint moves right now and what it carries along. A press of a
-// part shows the axis it turns about.
+// part shows the axis it turns about; of a part with two axes the next press shows the other one.
 import { button, element } from "./elements.js";
 
 /** Reads "a (b, c (d))" into {name, children}. */
@@ -30,13 +30,18 @@ function joined(children) {
   }));
 }
 
-/** The values of the field "axis" are named as the parts are, but of the wheels there is one. */
-const axisOf = (part) => (part.startsWith("wheel") ? "wheels" : part);
+/** The values of the field "axis" are named as the parts are, but of the wheels there is one; a second axis of a part
+ *  has the part's name and its own. */
+const isAxisOf = (part) => {
+  const name = part.startsWith("wheel") ? "wheels" : part;
+  return (axis) => axis === name || axis.startsWith(`${name}_`);
+};
 
 const listed = (titles) => titles.join(", ").replace(/, ([^,]*)$/, titles.length > 2 ? ", and $1" : " and $1");
 
 export class PartTree {
   #rows = []; // {part, title, item, press, parents}
+  #axis = "off";
   #moving = "";
 
   /** text: the tree as the evidence has it. axes: the command that sets the field "axis". act: does a command. */
@@ -54,8 +59,8 @@ export class PartTree {
   }
 
   #item({ part, title, children }, parents, axes, act) {
-    const axis = axes.choices.indexOf(axisOf(part));
-    const press = button("part", title, () => act(axes.name, press.getAttribute("aria-pressed") === "true" ? 0 : axis));
+    const own = axes.choices.filter(isAxisOf(part));
+    const press = button("part", title, () => act(axes.name, Math.max(0, axes.choices.indexOf(own[own.indexOf(this.#axis) + 1]))));
     press.title = `Show the axis of the ${title}`;
     const item = element("li", "", press);
     this.#rows.push({ part, title, item, press, parents });
@@ -65,7 +70,8 @@ export class PartTree {
 
   /** Shows which joints move and whose axis is drawn. */
   show({ moving, axis }) {
-    for (const { part, press } of this.#rows) press.setAttribute("aria-pressed", String(axis === axisOf(part)));
+    this.#axis = axis;
+    for (const { part, press } of this.#rows) press.setAttribute("aria-pressed", String(isAxisOf(part)(axis)));
     const now = moving.join();
     if (now === this.#moving) return;
     this.#moving = now;

@@ -8,7 +8,8 @@ from mathutils import Matrix, Vector
 from mathutils.bvhtree import BVHTree
 
 from export import read_obj
-from frame import CUPOLA, HALF_LENGTH, HALF_WIDTH, MG_OFFSET, TRACK_X, TRUNNION, TURRET, WHEEL_R, WHEEL_Y, WHEEL_Z
+from frame import CUPOLA, HALF_LENGTH, HALF_WIDTH, MG_TRUNNION, TRACK_X, TRUNNION, TURRET, WHEEL_R, WHEEL_Y, WHEEL_Z
+from frame import trunnion_in_machine_gun
 from mesh import at, turn
 
 NAMES = ('tankbody', 'tankturret', 'tankmaingun', 'tanksecondarygun', 'tankwheel')
@@ -24,13 +25,18 @@ BOUNDS = {  # (low corner, high corner, slack): what the program relies on
 GAP = 0.004  # parallel faces that look the same way keep at least this distance
 
 
-def places(yaw=0.0, pitch=0.0, mg=0.0):
+def machine_gun_in_turret(yaw, pitch):
+    back = [-c for c in trunnion_in_machine_gun()]
+    return at(*CUPOLA) @ turn('Y', yaw) @ at(*MG_TRUNNION) @ turn('X', -pitch) @ at(*back)
+
+
+def places(yaw=0.0, pitch=0.0, mg=0.0, mg_pitch=0.0):
     """Where the parts stand in a pose: (mesh, matrix)."""
     t = at(*TURRET) @ turn('Y', yaw)
     out = [('tankbody', Matrix())]
     out += [(NAMES[4], at(s * TRACK_X, WHEEL_Y, z) @ turn('Y', 90 - 90 * s)) for s in (1, -1) for z in WHEEL_Z]
     out += [('tankturret', t), ('tankmaingun', t @ at(*TRUNNION) @ turn('X', -pitch) @ at(*[-c for c in TRUNNION]))]
-    return out + [('tanksecondarygun', t @ at(*CUPOLA) @ turn('Y', mg) @ at(*MG_OFFSET))]
+    return out + [('tanksecondarygun', t @ machine_gun_in_turret(mg, mg_pitch))]
 
 
 def flicker(every, pose):
@@ -83,7 +89,33 @@ def chains(d):
     return out
 
 
-POSES = ((0, 0, 0), (37, 20, 25), (90, -9, 90), (180, 0, 180))  # of turret, main gun and machine gun, degrees
+# of turret, main gun, machine gun's yaw and its pitch, degrees
+POSES = ((0, 0, 0, 0), (37, 20, 25, 30), (90, -9, 90, -10), (180, 0, 120, 60))
+
+
+def clearance(every):
+    """Where in its range the machine gun cuts the turret, or loses the rail: only its drum may touch that."""
+    turret, gun = every['tankturret'], every['tanksecondarygun']
+
+    def tree(d, matrix):
+        return BVHTree.FromPolygons(
+            [matrix @ Vector(p) for p in d['v']], [[c[0] - 1 for c in f] for f in d['f']], all_triangles=True
+        )
+
+    t = trunnion_in_machine_gun()
+    of_drum = [
+        all(math.hypot(d['v'][c[0] - 1][1] - t[1], d['v'][c[0] - 1][2] - t[2]) < 0.091 for c in f)
+        for d in (gun,)
+        for f in gun['f']
+    ]
+    roof = tree(turret, Matrix())
+    for yaw in range(-120, 121, 8):
+        for pitch in range(-10, 61, 5):
+            cuts = roof.overlap(tree(gun, machine_gun_in_turret(yaw, pitch)))
+            if any(not of_drum[g] for _, g in cuts):
+                yield 'the machine gun at %d, %d cuts the turret' % (yaw, pitch)
+            if not cuts:
+                yield 'the machine gun at %d, %d floats' % (yaw, pitch)
 
 
 # (turned about Y, raised) degrees: where the eye is, and the pose it looks at
@@ -95,6 +127,16 @@ VIEWS = {
     'rear quarter': (140, 15, POSES[0]),
     'quarter, turned': (40, 10, POSES[1]),
     'side, turned': (90, 5, POSES[2]),
+    'rear': (180, 0, POSES[0]),
+    'other side': (270, 3, POSES[0]),
+    'nearly front': (20, 3, POSES[0]),
+    'front, from above': (0, 45, POSES[0]),
+    'side, from above': (65, 30, POSES[0]),
+    'rear, from above': (200, 40, POSES[0]),
+    'right quarter': (300, 15, POSES[0]),
+    'rear, turned': (160, 5, POSES[1]),
+    'turret back': (250, 8, POSES[3]),
+    'front, turned': (10, 20, POSES[2]),
 }
 FEW_PERCENT = 5.0
 
@@ -184,6 +226,7 @@ def check(folder, texture):
     if total['Low'] > 700:
         bad.append('low set has %d triangles' % total['Low'])
     bad += chains(every['tankbody'])
+    bad += clearance(every)
     for pose in POSES:
         bad += ['turret, guns at %s: %s' % (pose, line) for line in flicker(every, pose)]
     for name, differs, ratio in silhouettes(every):

@@ -8,7 +8,8 @@ WHEEL_Z = [2.40, 1.60, 0.80, 0.0, -0.80, -1.60, -2.40]
 TURRET = (0.0, 1.60, 0.25)  # in the tank
 TRUNNION = (0.0, 0.42, 1.25)  # in the turret
 CUPOLA = (-0.55, 0.95, -0.35)  # in the turret: the machine gun's pivot
-MG_OFFSET = (0.0, 0.0, 0.25)  # p_pivot = p_mesh + MG_OFFSET
+MG_OFFSET = (0.0, 0.0, 0.25)  # p_pivot = p_mesh + MG_OFFSET, at rest
+MG_TRUNNION = (0.0, 0.27, 0.31)  # from the machine gun's pivot: about this it pitches
 BOARD = (0.25, 0.062)  # half the size of the boards with the tank's number
 GLACIS = (1.1156 - 1.60) / (3.62 - 1.85)  # rise of the upper front plate per metre of z
 
@@ -20,3 +21,7 @@ def yz(*points):
 
 def glacis(z):
     return DECK + (z - 1.85) * GLACIS
+
+
+def trunnion_in_machine_gun():
+    return tuple(a - b for a, b in zip(MG_TRUNNION, MG_OFFSET))

@@ -1,5 +1,7 @@
 """The main gun in turret coordinates, and the machine gun in its own shifted frame."""
-from frame import TRUNNION
+from mathutils import Vector
+
+from frame import TRUNNION, trunnion_in_machine_gun
 from mesh import SIDE, Mesh, at, turn
 from shapes import box, disc, drum, lathe, prism, rect, stack, tube
 
@@ -84,45 +86,35 @@ def main_gun():
 
 
 def machine_gun():
-    """Mesh origin: the cradle. The cupola's axis is 0.25 m behind it."""
+    """What pitches: cradle, gun and box. Mesh origin: below the trunnion, on the plane of the cupola's pivot.
+
+    The cradle rides on the cupola's rail with a drum about the trunnion, which touches the rail at any pitch."""
     m = Mesh('tanksecondarygun')
-    ring = at(0, 0, -0.25) @ UP
-    m.begin('metal', 0.8, smooth=40)
-    lathe(m, [(0.338, -0.037), (0.334, 0.012), (0.282, 0.012), (0.278, -0.037)], 14, ring)
+    t = trunnion_in_machine_gun()
+    m.begin('metal', smooth=50)
+    drum(m, 0.090, -0.078, 0.078, 8, at(*t) @ turn('Y', 90), 0.0)
     m.begin('metal')
-    prism(
-        m,
-        [
-            (-0.018, 0.008),
-            (0.016, 0.008),
-            (0.10, -0.035),
-            (0.125, -0.035),
-            (0.125, 0.045),
-            (0.10, 0.045),
-            (0.016, 0.064),
-            (-0.018, 0.064),
-        ],
-        -0.045,
-        0.045,
-        SIDE,
-    )
     for s in (1, -1):  # cradle cheeks
         prism(
             m,
-            [(0.10, -0.07), (0.185, -0.10), (0.235, -0.04), (0.235, 0.05), (0.10, 0.05)],
+            [(t[1] - 0.03, t[2] - 0.05), (t[1] - 0.03, t[2] + 0.05), (t[1] + 0.09, t[2] + 0.09)]
+            + [(t[1] + 0.09, t[2] - 0.09)],
             s * 0.058 - 0.008,
             s * 0.058 + 0.008,
             SIDE,
         )
-    drum(m, 0.022, -0.078, 0.078, 6, at(0, 0.205, 0.0) @ turn('Y', 90))
-    y = 0.225
+    gun(m, at(0, t[1] + 0.07, t[2] + 0.14))
+    return m
+
+
+def gun(m, f):
+    """The gun itself and its box, in a frame on the bore's axis."""
     m.begin('gunmetal', smooth=25)
-    box(m, (-0.045, y - 0.065, -0.36), (0.045, y + 0.055, 0.08), 0.014, bottom=True)
+    box(m, (-0.045, -0.065, -0.36), (0.045, 0.055, 0.08), 0.014, frame=f, bottom=True)
     m.begin('gunmetal')
-    box(m, (-0.040, y + 0.05, -0.20), (0.040, y + 0.082, 0.06), 0.012)
-    box(m, (-0.012, y + 0.05, -0.315), (0.012, y + 0.10, -0.285), 0.005)
+    box(m, (-0.040, 0.05, -0.20), (0.040, 0.082, 0.06), 0.012, frame=f)
+    box(m, (-0.012, 0.05, -0.315), (0.012, 0.10, -0.285), 0.005, frame=f)
     m.begin('gunmetal', 1.2, smooth=40)
-    g = at(0, y, 0)
     lathe(
         m,
         [
@@ -137,45 +129,26 @@ def machine_gun():
             (0.012, 0.98),
         ],
         7,
-        g,
+        f,
     )
     m.begin('dark')
-    disc(m, 0.0122, 0.98, 7, g)
+    disc(m, 0.0122, 0.98, 7, f)
     m.begin('gunmetal')
-    box(m, (-0.007, y + 0.03, 0.28), (0.007, y + 0.085, 0.31), 0.003)
+    box(m, (-0.007, 0.03, 0.28), (0.007, 0.085, 0.31), 0.003, frame=f)
+
+    def put(*points):
+        return [f @ Vector(p) for p in points]
+
     for s in (1, -1):  # spade grips
-        tube(
-            m,
-            [
-                (s * 0.022, y + 0.03, -0.355),
-                (s * 0.075, y + 0.045, -0.42),
-                (s * 0.075, y - 0.045, -0.43),
-                (s * 0.022, y - 0.045, -0.355),
-            ],
-            0.013,
-            4,
-            caps=False,
-        )
+        grip = put((s * 0.022, 0.03, -0.355), (s * 0.075, 0.045, -0.42), (s * 0.075, -0.045, -0.43))
+        tube(m, grip + put((s * 0.022, -0.045, -0.355)), 0.013, 4, caps=False)
     # ammunition box on the left with its feed
     m.begin('crate', smooth=20)
-    box(m, (0.085, y - 0.17, -0.16), (0.20, y + 0.02, 0.10), 0.008, cut=0.01, bottom=True, top=False)
-    box(m, (0.080, y + 0.016, -0.165), (0.205, y + 0.034, 0.105), 0.008)
+    box(m, (0.085, -0.13, -0.14), (0.20, 0.02, 0.14), 0.008, cut=0.01, frame=f, bottom=True, top=False)
+    box(m, (0.080, 0.016, -0.145), (0.205, 0.034, 0.145), 0.008, frame=f)
     m.begin('metal')
-    prism(
-        m,
-        [(y - 0.13, -0.05), (y - 0.10, -0.05), (y - 0.10, 0.02), (y - 0.13, 0.02)],
-        0.04,
-        0.09,
-        SIDE,
-        cap0=False,
-        cap1=False,
-    )
+    bracket = [(-0.06, -0.05), (-0.03, -0.05), (-0.03, 0.02), (-0.06, 0.02)]
+    prism(m, bracket, 0.04, 0.09, f @ SIDE, cap0=False, cap1=False)
     m.begin('brass')
-    tube(
-        m,
-        [(0.13, y + 0.03, -0.03), (0.115, y + 0.075, -0.03), (0.07, y + 0.078, -0.03), (0.035, y + 0.045, -0.03)],
-        0.021,
-        4,
-        caps=False,
-    )
-    return m
+    feed = put((0.13, 0.03, -0.03), (0.115, 0.075, -0.03), (0.07, 0.078, -0.03), (0.035, 0.045, -0.03))
+    tube(m, feed, 0.021, 4, caps=False)

@@ -1,7 +1,7 @@
 """The far tank: the same silhouettes for a few hundred triangles, in the same frames."""
 import math
 
-from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R, WHEEL_Z, glacis, yz
+from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R, WHEEL_Z, glacis, trunnion_in_machine_gun, yz
 from mesh import SIDE, TOP, Mesh, at
 from running import ACROSS, END_R, END_Y, IDLER_Z
 from shapes import box, disc, drum, lathe, prism, rect, stack
@@ -129,13 +129,14 @@ def main_gun():
 
 def machine_gun():
     m = Mesh('tanksecondarygunLow')
-    y = 0.225
+    t = trunnion_in_machine_gun()
+    y, z = t[1] + 0.07, t[2] + 0.14
     m.begin()
-    box(m, (-0.05, y - 0.07, -0.40), (0.05, y + 0.07, 0.10))
-    box(m, (0.07, y - 0.17, -0.16), (0.20, y + 0.03, 0.10))
-    box(m, (-0.045, -0.03, -0.07), (0.045, y - 0.06, 0.06))
-    p = [(0.0, y + 0.032, 0.08), (-0.03, y - 0.018, 0.08), (0.03, y - 0.018, 0.08)]
-    q = [(a, b, 1.04) for a, b, _ in p]
+    box(m, (-0.05, y - 0.07, z - 0.40), (0.05, y + 0.07, z + 0.10))
+    box(m, (0.07, y - 0.13, z - 0.14), (0.20, y + 0.03, z + 0.14))
+    box(m, (-0.06, -0.015, t[2] - 0.03), (0.06, y - 0.06, t[2] + 0.03))  # stands for the rail, too
+    p = [(0.0, y + 0.032, z + 0.08), (-0.03, y - 0.018, z + 0.08), (0.03, y - 0.018, z + 0.08)]
+    q = [(a, b, z + 1.04) for a, b, _ in p]
     for i in range(3):
         m.poly([p[i], p[(i + 1) % 3], q[(i + 1) % 3], q[i]])
     return m

@@ -1,11 +1,12 @@
 """The turret: an arrow-shaped shell, armour modules, bustle rack, and the roof's furniture."""
 from mathutils import Vector
 
-from frame import CUPOLA
+from frame import CUPOLA, MG_TRUNNION
 from mesh import SIDE, TOP, Mesh, at, turn
 from shapes import box, disc, drum, inset, lathe, prism, rect, slab, stack, tube
 
 UP = turn('X', -90)
+DOWN = turn('X', 90)
 ROOF = 0.80
 NOTCH_X, NOTCH_Z = 0.44, 0.89
 # half outlines (x, z), front to rear
@@ -144,6 +145,21 @@ def commander(m):
         m.poly([(-0.055, 0.022, 0.0495), (0.055, 0.022, 0.0495), (0.055, 0.066, 0.0495), (-0.055, 0.066, 0.0495)])
 
     m.many(block, [at(x, 0.815, z) @ turn('Y', 22.5 + 45 * k) @ at(0, 0, 0.385) for k in range(8)])
+    rail(m, f)
+
+
+def rail(m, f):
+    """The ring on stanchions that the machine gun's carriage runs round: it turns with the turret alone."""
+    r = MG_TRUNNION[2]
+    m.begin('metal', 0.8, smooth=40)
+    section = [(r, 1.092), (r + 0.024, 1.14), (r - 0.024, 1.14), (r, 1.092)]
+    lathe(m, section, 14, f)
+
+    def stanchion():
+        m.begin('metal', 0.6, smooth=70)
+        lathe(m, [(0.020, 0.912), (0.014, 1.112)], 3, UP)
+
+    m.many(stanchion, [f @ turn('Z', 45 + 90 * k) @ at(r, 0, 0) @ DOWN for k in range(4)])
 
 
 def loader(m):

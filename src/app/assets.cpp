@@ -87,6 +87,13 @@ void measure(Assets& assets)
     assets.muzzle = muzzle_of(assets);
 }
 
+void paint_low_model(Assets& assets)
+{
+    for (std::size_t mesh = 0; assets.has_low_model && mesh < tank::MESH_KIND_COUNT; ++mesh) {
+        assets.low_paint[mesh] = paint_of(assets.low[mesh], assets.high[mesh], assets.texture);
+    }
+}
+
 mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
 {
     // All names first: a missing file is said before time goes into reading the others.
@@ -120,6 +127,7 @@ mesh::Result<Assets> read_assets(std::span<const AssetFile> files)
     }
     assets.texture = std::move(texture.value());
     measure(assets);
+    paint_low_model(assets);
     return assets;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/low_paint.h"
 #include "app/track_links.h"
 #include "mesh/image.h"
 #include "mesh/obj_mesh.h"
@@ -40,6 +41,7 @@ struct Assets
     std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> high = {}; ///< by tank::index_of(MeshKind)
     std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT> low = {};  ///< without faces when there is no low model
     mesh::Image texture = {};
+    LowPaint low_paint = {};     ///< of the low meshes: what the texture shows on the high ones
     double wheel_radius = 0.0;   ///< metres: how far the wheel's mesh reaches from its axle
     TrackLinks track_links = {}; ///< of the high body's mesh
     glm::vec3 sight{0.0f};       ///< where the gunner looks out, in the turret's joint frame
@@ -85,6 +87,10 @@ struct AssetFile
 /// Works out what follows from the high meshes and the layout: the wheel's radius, the track's links, the
 /// gunner's sight and the muzzle. Precondition: no mesh but the wheels' is turned by its layout.
 void measure(Assets& assets);
+
+/// Paints the low meshes as the texture shows the high ones. Does nothing where there is no low model.
+/// Precondition: meshes and texture are read, the meshes in metres.
+void paint_low_model(Assets& assets);
 
 /// Reads the ten meshes and the texture and lays them out by tank::default_layout(). Other files are ignored.
 /// Errors: files that are missing, all named in one; a name given twice; whatever is wrong inside a file,

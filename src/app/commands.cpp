@@ -151,9 +151,9 @@ constexpr Move of_handle(FieldId field, double rate)
     return {.field = field, .rate = rate, .of_handle = true};
 }
 
-// Real vehicles: turrets turn by 40 degrees a second and more, guns rise by 10 or so; the wheels' rate is a
-// walking pace of 1.4 m/s. Off the road they drive at 18 km/h; turning in place takes 12 seconds
-// a round. The digits 1 to 4 open tasks and figures.
+// Real vehicles: turrets turn by 40 degrees a second and more, guns rise by 10 or so, and one on a pintle is
+// swung by hand; the wheels' rate is a walking pace of 1.4 m/s. Off the road they drive at 18 km/h; turning
+// in place takes 12 seconds a round. The digits 1 to 4 open tasks and figures.
 constexpr Command OWN_COMMANDS[] = {
     hold("turret_left", "Turn the turret left", Group::turret, {Key::q}, {turret, degrees(40.0)}),
     hold("turret_right", "Turn the turret right", Group::turret, {Key::e}, {turret, degrees(-40.0)}),
@@ -163,6 +163,10 @@ constexpr Command OWN_COMMANDS[] = {
          {secondary_gun, degrees(60.0)}),
     hold("secondary_gun_right", "Turn the secondary gun right", Group::secondary_gun, {Key::g},
          {secondary_gun, degrees(-60.0)}),
+    hold("secondary_gun_up", "Raise the secondary gun", Group::secondary_gun, {Key::period},
+         {secondary_gun_pitch, degrees(40.0)}),
+    hold("secondary_gun_down", "Lower the secondary gun", Group::secondary_gun, {Key::comma},
+         {secondary_gun_pitch, degrees(-40.0)}),
     hold("wheels_forward", "Roll the wheels forward", Group::wheels, {Key::c}, {wheels_left, degrees(180.0)},
          {wheels_right, degrees(180.0)}),
     hold("wheels_backward", "Roll the wheels backward", Group::wheels, {Key::v},

@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 2> FITS = {"average", "smallest"};
 constexpr std::array<std::string_view, 4> DETAILS = {"auto", "high", "low", "both"};
 constexpr std::array<std::string_view, 6> PARTS = {"all",      "body",          "turret",
                                                    "main_gun", "secondary_gun", "wheels"};
-constexpr std::array<std::string_view, 7> AXES = {"off",           "body",   "turret", "main_gun",
-                                                  "secondary_gun", "wheels", "moving"};
+constexpr std::array<std::string_view, 8> AXES = {
+    "off", "body", "turret", "main_gun", "secondary_gun", "secondary_gun_pitch", "wheels", "moving"};
 
 /// Returns "none" and the names of the presets.
 std::span<const std::string_view> particle_choices()
@@ -193,6 +193,8 @@ std::array<Field, FIELD_COUNT> make_fields()
         joint_field<Joint::main_gun>(main_gun, "gun", "Main gun", Group::main_gun),
         joint_field<Joint::secondary_gun>(secondary_gun, "secondary_gun", "Secondary gun",
                                           Group::secondary_gun),
+        joint_field<Joint::secondary_gun_pitch>(secondary_gun_pitch, "secondary_gun_pitch",
+                                                "Secondary gun's pitch", Group::secondary_gun),
         joint_field<Joint::wheels_left>(wheels_left, "wheels_left", "Left wheels", Group::wheels),
         joint_field<Joint::wheels_right>(wheels_right, "wheels_right", "Right wheels", Group::wheels),
         joint_field<Joint::heading>(heading, "heading", "Heading", Group::tank),

@@ -18,6 +18,7 @@ enum class FieldId : std::uint8_t
     turret,
     main_gun,
     secondary_gun,
+    secondary_gun_pitch,
     wheels_left,
     wheels_right,
     heading,
@@ -60,7 +61,7 @@ enum class FieldId : std::uint8_t
     tank,
 };
 
-constexpr std::size_t FIELD_COUNT = 43;
+constexpr std::size_t FIELD_COUNT = 44;
 
 /// Says how a field is written for people, and how fine.
 /// One unit has 10^decimals steps of the grid; a step is numerator / denominator in the state's own unit

@@ -67,13 +67,33 @@ ProbeInFrame probe_of(const Projectile& projectile)
 
 AxisInFrame shown_axis(const State& state, const Assets& assets)
 {
-    constexpr tank::Part PARTS[] = {tank::Part::body,          tank::Part::body,
-                                    tank::Part::turret,        tank::Part::main_gun,
-                                    tank::Part::secondary_gun, tank::Part::wheel_left_1};
-    if (state.show.axis == AxisShown::off || state.show.axis == AxisShown::moving) {
+    using tank::Joint;
+    switch (state.show.axis) {
+    case AxisShown::off:
+    case AxisShown::moving:
         return {};
+    case AxisShown::body:
+        return axis_of(state, assets, Joint::heading);
+    case AxisShown::turret:
+        return axis_of(state, assets, Joint::turret);
+    case AxisShown::main_gun:
+        return axis_of(state, assets, Joint::main_gun);
+    case AxisShown::secondary_gun:
+        return axis_of(state, assets, Joint::secondary_gun);
+    case AxisShown::secondary_gun_pitch:
+        return axis_of(state, assets, Joint::secondary_gun_pitch);
+    case AxisShown::wheels:
+        return axis_of(state, assets, Joint::wheels_left);
     }
-    return axis_of(state, assets, PARTS[static_cast<std::size_t>(state.show.axis)]);
+    return {};
+}
+
+/// Returns the axis through a pivot of a frame.
+AxisInFrame axis_in(const glm::dmat4& frame, const glm::dvec3& pivot, const glm::dvec3& axis)
+{
+    return {.is_shown = true,
+            .origin = glm::dvec3(frame * glm::dvec4(pivot, 1.0)),
+            .direction = glm::normalize(glm::dmat3(frame) * axis)};
 }
 
 /// Divides the window among the views: one, or four as a drawing has them, the side's beside the front's and
@@ -93,16 +113,25 @@ void add_panes(Frame& frame, const State& state)
 
 } // namespace
 
-AxisInFrame axis_of(const State& state, const Assets& assets, tank::Part part)
+AxisInFrame axis_of(const State& state, const Assets& assets, tank::Joint joint)
 {
     const tank::PartMatrices matrices =
         tank::part_matrices(assets.layout, {{state.x, 0.0, state.z}}, state.joints);
-    // A turn about the axis does not turn the axis, so the part's own frame has it as its parent's does.
-    const glm::dmat4 joint(matrices.joint(part));
-    const glm::dvec3 axis(assets.layout[part].axis);
-    return {.is_shown = true,
-            .origin = glm::dvec3(joint[3]),
-            .direction = glm::normalize(glm::dmat3(joint) * axis)};
+    // A turn about an axis does not turn the axis, so the frame that the turn ends in has it, too; only a
+    // part's first axis is to be found from its parent's frame, as the second joint turns it.
+    for (tank::Part part : tank::ALL_PARTS) {
+        const tank::PartPlacement& placement = assets.layout[part];
+        const glm::dmat4 own(matrices.joint(part));
+        if (placement.second && placement.second->joint == joint) {
+            return axis_in(own, glm::dvec3(0.0), placement.second->axis);
+        }
+        if (placement.joint == joint) {
+            return placement.second ? axis_in(glm::dmat4(matrices.joint(placement.parent)), placement.pivot,
+                                              placement.axis)
+                                    : axis_in(own, glm::dvec3(0.0), placement.axis);
+        }
+    }
+    return {};
 }
 
 Frame make_frame(const State& state, const Assets& assets)

@@ -138,8 +138,8 @@ struct Frame
 /// How far beside the high tank the low one stands when both are drawn: to +X. Metres.
 constexpr double BESIDE = 5.5;
 
-/// Returns the axis that a part turns about, where the state has it.
-AxisInFrame axis_of(const State& state, const Assets& assets, tank::Part part);
+/// Returns the axis of a joint, where the state has it; of a side's wheels the front one's.
+AxisInFrame axis_of(const State& state, const Assets& assets, tank::Joint joint);
 
 /// Computes what a state says by itself of its frame: all but spheres, closest points, triangles, particles
 /// and the axis of what moves, which Simulation::frame() adds. Pure: the same state and assets give the same

@@ -55,6 +55,8 @@ constexpr KeyName KEY_NAMES[] = {
     {Key::space, "Space", "Space"},
     {Key::minus, "Minus", "-"},
     {Key::equal, "Equal", "="},
+    {Key::comma, "Comma", ","},
+    {Key::period, "Period", "."},
     {Key::home, "Home", "Home"},
     {Key::page_up, "PageUp", "Page Up"},
     {Key::delete_forward, "Delete", "Delete"},

@@ -13,6 +13,7 @@ enum class Key : std::uint16_t {
     a = 4, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z,
     digit_1 = 30, digit_2, digit_3, digit_4, digit_5, digit_6, digit_7, digit_8, digit_9, digit_0,
     enter = 40, escape, backspace, tab, space, minus, equal,
+    comma = 54, period,
     home = 74, page_up, delete_forward, end, page_down, right, left, down, up,
     keypad_minus = 86, keypad_plus,
 };

@@ -48,14 +48,15 @@ collision::PartSet Motion::parts(const tank::Layout& layout) const
 {
     collision::PartSet parts;
     for (tank::Part part : tank::ALL_PARTS) {
-        if (ticks_left_[tank::index_of(layout[part].joint)] > 0) {
+        const tank::PartPlacement& placement = layout[part];
+        if (moves(placement.joint) || (placement.second && moves(placement.second->joint))) {
             parts.insert(tank::index_of(part));
         }
     }
     return parts;
 }
 
-std::optional<tank::Part> Motion::foremost(const tank::Layout& layout) const
+std::optional<tank::Joint> Motion::foremost(const tank::Layout& layout) const
 {
     std::optional<tank::Part> found;
     parts(layout).for_each([&](std::size_t index) {
@@ -64,7 +65,11 @@ std::optional<tank::Part> Motion::foremost(const tank::Layout& layout) const
             found = part;
         }
     });
-    return found;
+    if (!found) {
+        return std::nullopt;
+    }
+    const tank::PartPlacement& placement = layout[*found];
+    return placement.second && moves(placement.second->joint) ? placement.second->joint : placement.joint;
 }
 
 } // namespace app

@@ -30,10 +30,13 @@ public:
     /// Returns the parts whose joints move, without those that they carry along.
     collision::PartSet parts(const tank::Layout& layout) const;
 
-    /// Returns of these the one that is furthest from the body in the tree, the first of several.
-    std::optional<tank::Part> foremost(const tank::Layout& layout) const;
+    /// Returns the joint of the one of these that is furthest from the body in the tree, the first of
+    /// several; of its two the inner one, if that moves.
+    std::optional<tank::Joint> foremost(const tank::Layout& layout) const;
 
 private:
+    bool moves(tank::Joint joint) const { return ticks_left_[tank::index_of(joint)] > 0; }
+
     std::array<std::uint8_t, tank::JOINT_COUNT> ticks_left_{};
 };
 

@@ -72,9 +72,10 @@ enum class AxisShown : std::uint8_t
     body,
     turret,
     main_gun,
-    secondary_gun,
-    wheels, ///< the front left one's
-    moving, ///< of the part whose joint moves; none while all rest
+    secondary_gun,       ///< of its yaw
+    secondary_gun_pitch, ///< of its pitch
+    wheels,              ///< the front left one's
+    moving,              ///< of the joint that moves; none while all rest
 };
 
 /// Holds what of the scene is drawn, and how.

@@ -52,9 +52,9 @@ Frame Simulation::frame() const
     if (state_.show.detail == Detail::automatic) {
         frame.tanks[0].level = level();
     }
-    if (const std::optional<tank::Part> part = motion_.foremost(assets_->layout);
-        part && state_.show.axis == AxisShown::moving) {
-        frame.axis = axis_of(state_, *assets_, *part);
+    if (const std::optional<tank::Joint> joint = motion_.foremost(assets_->layout);
+        joint && state_.show.axis == AxisShown::moving) {
+        frame.axis = axis_of(state_, *assets_, *joint);
     }
     for (const particles::ParticleSystem* system : sparks_.systems()) {
         add_particles(frame, *system);

@@ -23,7 +23,8 @@ constexpr Task TASKS[] = {
              "stop at "
              "their limits; the turret and the wheels go all the way round.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "secondary_gun_left",
-                  "secondary_gun_right", "wheels_forward", "wheels_backward"},
+                  "secondary_gun_right", "secondary_gun_up", "secondary_gun_down", "wheels_forward",
+                  "wheels_backward"},
      .link = "orbit=62&tilt=12&axis=moving",
      .source = "src/app/commands.cpp"},
     {.kind = TaskKind::task,
@@ -106,7 +107,9 @@ constexpr Task TASKS[] = {
      .title = "Assemble the low-detail tank",
      .text =
          "On the right the low model: the same tree and joints, a tenth of the triangles, no light and no "
-         "texture, one colour for each part. Turn something: both do the same.",
+         "texture: glColor3ub gives each face the mean of its paint, as the sun shines there. Turn "
+         "something: "
+         "both do the same.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "turn_left", "turn_right",
                   "next_detail"},
      .link = "heading=-16&orbit=0&tilt=20&distance=14.5&look_x=1.9&look_y=1.2&look_z=0&detail=both",
@@ -144,7 +147,8 @@ constexpr Task TASKS[] = {
      .title = "The hierarchy of parts",
      .text = "The tree: the body carries the turret and fourteen wheels, the turret carries both guns. Turn "
              "one: the tree and its axis show what moves, and what comes along.",
-     .commands = {"turn_left", "turret_left", "gun_up", "secondary_gun_left", "wheels_forward", "next_axis"},
+     .commands = {"turn_left", "turret_left", "gun_up", "secondary_gun_left", "secondary_gun_up",
+                  "wheels_forward", "next_axis"},
      .link = "turret=50&gun=10&secondary_gun=-40&orbit=30&tilt=35&distance=13&axis=moving",
      .source = "src/tank/layout.cpp"},
     {.kind = TaskKind::figure,

@@ -21,8 +21,8 @@ struct Task
     TaskKind kind;
     std::string_view id; ///< as in the handout: "1.2", "5b"
     std::string_view title;
-    std::string_view text;                    ///< one or two sentences: what to see and to try
-    std::array<std::string_view, 8> commands; ///< names of the commands to try; unused ones are empty
+    std::string_view text;                     ///< one or two sentences: what to see and to try
+    std::array<std::string_view, 10> commands; ///< names of the commands to try; unused ones are empty
     std::string_view link;   ///< the state it begins with, as a fragment without task or figure
     std::string_view source; ///< where it lives, from the top of the repository
 };

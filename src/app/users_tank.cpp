@@ -233,6 +233,7 @@ mesh::Result<UsersTank> read_users_tank(std::span<const AssetFile> files)
         return texture.error();
     }
     assets.texture = std::move(texture.value());
+    paint_low_model(assets);
     tank.notes = notes_on(tank, !sources.texture_name.empty());
     return tank;
 }

@@ -60,11 +60,13 @@ LegacyGLContext* legacygl_current(void)
 
 void legacygl_resize(LegacyGLContext* context, int width, int height)
 {
-    if (width < 1 || height < 1 || (width == context->width && height == context->height))
+    legacygl::Backend& backend = *context->backend;
+    if (width < 1 || height < 1 || (width == backend.target_width && height == backend.target_height))
         return;
     context->flush_vertices();
-    context->set_size(width, height);
-    context->backend->resize(width, height);
+    backend.target_width = width;
+    backend.target_height = height;
+    backend.resize(width, height);
 }
 
 void legacygl_present(LegacyGLContext* context)

@@ -4,17 +4,12 @@ namespace legacygl {
 Context* current_context = nullptr;
 
 Context::Context(std::unique_ptr<Backend> made, int w, int h, bool doubled)
-    : backend(std::move(made)), renderer(*backend), width(w), height(h), double_buffered(doubled)
+    : backend(std::move(made)), renderer(*backend), double_buffered(doubled)
 {
-    set_size(w, h);
+    backend->target_width = w;
+    backend->target_height = h;
     state.fragment.draw_buffer = state.fragment.read_buffer = doubled ? GL_BACK : GL_FRONT;
     state.transform.viewport = state.fragment.scissor_box = {0, 0, w, h};
-}
-
-void Context::set_size(int w, int h)
-{
-    width = backend->target_width = w;
-    height = backend->target_height = h;
 }
 
 void Context::begin(GLenum mode)
@@ -55,7 +50,7 @@ void Context::call_list(GLuint name)
 {
     if (list_depth >= MAXIMUM_LIST_NESTING)
         return;
-    if (const std::shared_ptr<const DisplayList> list = lists.find(name)) {
+    if (DisplayList* list = lists.find(name)) {
         ++list_depth;
         list->run(*this);
         --list_depth;

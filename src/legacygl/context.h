@@ -38,23 +38,31 @@ struct Context
     std::vector<SavedClientAttributes> client_attributes; ///< Of glPushClientAttrib.
     int list_depth = 0;                                   ///< How many lists are being called.
     Capture capture;
-    int width;
-    int height;
     const bool double_buffered;
 
     /// Notes an error; the first one stays until glGetError (OpenGL 1.5, 2.5).
-    void set_error(GLenum code)
+    ///
+    /// An unchecked build takes programs to be free of errors, as a context of GL_KHR_no_error does: the
+    /// compiler drops whatever only leads here.
+    void set_error([[maybe_unused]] GLenum code)
     {
+#ifdef LEGACYGL_UNCHECKED
+        __builtin_unreachable();
+#endif
         if (error == GL_NO_ERROR)
             error = code;
+    }
+    /// Notes GL_INVALID_OPERATION for what legacygl cannot do: no fault of the program's, so also unchecked.
+    void refuse_unsupported()
+    {
+        if (error == GL_NO_ERROR)
+            error = GL_INVALID_OPERATION;
     }
     template <class... Args> void note(const char* name, const Args&... args)
     {
         capture.note(name, list_depth, state.transform.modelview.top().values(), args...);
     }
 
-    /// Notes the target's size in pixels.
-    void set_size(int w, int h);
     void begin(GLenum mode);
     void end();
     /// Draws the vertices that wait; every change of state does so first.

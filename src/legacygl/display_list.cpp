@@ -3,6 +3,7 @@
 #include "legacygl/list_replay.h"
 
 #include <cstring>
+#include <utility>
 
 namespace legacygl {
 
@@ -21,8 +22,20 @@ Blob DisplayList::keep(const Blob& blob)
     return {blobs_.back().get(), blob.size};
 }
 
-void DisplayList::run(Context& gl) const
+void DisplayList::finish()
 {
+    if (geometry_.size() == 1 && command_count_ == 1) {
+        only_ = std::move(*geometry_.front());
+        geometry_.clear();
+        commands_.clear();
+    }
+    commands_.shrink_to_fit();
+}
+
+void DisplayList::run(Context& gl)
+{
+    if (only_)
+        return replay(gl, *only_);
     for (std::size_t at = 0; at < commands_.size();) {
         const auto* header = reinterpret_cast<const Header*>(&commands_[at]);
         header->run(gl, &commands_[at + HEADER_WORDS]);
@@ -30,15 +43,38 @@ void DisplayList::run(Context& gl) const
     }
 }
 
-void ListStore::put(GLuint name, std::shared_ptr<const DisplayList> list)
+ListStore::Place ListStore::make_place()
 {
-    if (name >= LOW) {
-        high_[name] = std::move(list);
-        return;
+    if (!free_.empty()) {
+        const Place place = free_.back();
+        free_.pop_back();
+        return place;
     }
-    if (name >= low_.size())
-        low_.resize(std::size_t{name} + 1);
-    low_[name] = std::move(list);
+    if (made_ / CHUNK >= chunks_.size())
+        add_chunk();
+    return made_++;
+}
+
+void ListStore::release(Place place)
+{
+    if (place == NONE || place == EMPTY)
+        return;
+    at(place) = DisplayList{};
+    free_.push_back(place);
+}
+
+void ListStore::set_place(GLuint name, Place place)
+{
+    if (name < LOW && name >= low_.size())
+        low_.resize(std::size_t{name} + 1, NONE);
+    release(std::exchange(name < LOW ? low_[name] : high_[name], place));
+}
+
+void ListStore::put(GLuint name, DisplayList list)
+{
+    const Place place = make_place();
+    at(place) = std::move(list);
+    set_place(name, place);
 }
 
 GLuint ListStore::generate(GLsizei range)
@@ -56,9 +92,8 @@ GLuint ListStore::generate(GLsizei range)
     }
     if (count == 0 || first + count - 1 > 0xffffffffu)
         return 0;
-    const auto empty = std::make_shared<const DisplayList>();
     for (std::uint64_t i = 0; i < count; ++i)
-        put(static_cast<GLuint>(first + i), empty);
+        set_place(static_cast<GLuint>(first + i), EMPTY);
     return static_cast<GLuint>(first);
 }
 
@@ -66,9 +101,11 @@ void ListStore::erase(GLuint first, GLsizei range)
 {
     const std::uint64_t end = std::uint64_t{first} + static_cast<std::uint64_t>(range);
     for (std::uint64_t name = first; name < end && name < low_.size(); ++name)
-        low_[name] = nullptr;
-    for (auto it = high_.lower_bound(first); it != high_.end() && it->first < end;)
+        release(std::exchange(low_[name], NONE));
+    for (auto it = high_.lower_bound(first); it != high_.end() && it->first < end;) {
+        release(it->second);
         it = high_.erase(it);
+    }
 }
 
 } // namespace legacygl

@@ -6,10 +6,12 @@
 
 #include <GL/gl.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <new>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,7 +23,8 @@ struct Context;
 /// The commands of one list, in the order they were given (OpenGL 1.5, 5.4).
 ///
 /// A command is a trivially copyable callable, stored by value one behind the other; vertices are packed
-/// into geometry that one command draws.
+/// into geometry that one command draws. A list that does nothing else has that geometry within itself: a
+/// program that calls a thousand small lists waits for memory most of all.
 class DisplayList
 {
 public:
@@ -35,13 +38,17 @@ public:
             Header{[](Context& gl, const void* payload) { (*static_cast<const Command*>(payload))(gl); },
                    static_cast<std::uint32_t>(words)};
         new (&commands_[at + HEADER_WORDS]) Command(command);
+        ++command_count_;
     }
     /// Draws the vertices at this place of the list.
     void append(VertexBatch batch);
     /// Copies bytes into the list, where they stay as long as it.
     Blob keep(const Blob& blob);
 
-    void run(Context& gl) const;
+    /// Ends the list: nothing is appended any more.
+    void finish();
+
+    void run(Context& gl);
 
 private:
     using Word = std::uint64_t;
@@ -52,6 +59,8 @@ private:
     };
     static constexpr std::size_t HEADER_WORDS = (sizeof(Header) + sizeof(Word) - 1) / sizeof(Word);
 
+    std::optional<ListGeometry> only_; ///< What a finished list draws that has no commands.
+    std::uint32_t command_count_ = 0;
     std::vector<Word> commands_;
     std::vector<std::unique_ptr<ListGeometry>> geometry_;
     std::vector<std::unique_ptr<std::uint8_t[]>> blobs_;
@@ -70,12 +79,13 @@ public:
     template <class Command> void append(const Command& command)
     {
         close_batch();
-        list_->append(command);
+        list_.append(command);
     }
-    Blob keep(const Blob& blob) { return list_->keep(blob); }
-    std::shared_ptr<DisplayList> finish()
+    Blob keep(const Blob& blob) { return list_.keep(blob); }
+    DisplayList finish()
     {
         close_batch();
+        list_.finish();
         return std::move(list_);
     }
 
@@ -83,39 +93,62 @@ private:
     void close_batch()
     {
         if (!vertices_.batch().empty() || vertices_.inside())
-            list_->append(vertices_.take());
+            list_.append(vertices_.take());
     }
 
     GLuint name_;
     bool executes_;
     CurrentAttributes current_ = initial_attributes();
     VertexAssembler vertices_{current_, VertexAssembler::Use::list};
-    std::shared_ptr<DisplayList> list_ = std::make_shared<DisplayList>();
+    DisplayList list_;
 };
 
 /// All lists by name; a name may stand for an empty list.
 class ListStore
 {
 public:
-    /// Returns the list, or null. The caller shares it, so that it survives its own deletion.
-    std::shared_ptr<const DisplayList> find(GLuint name) const
+    ListStore() { add_chunk(); }
+    /// Returns the list, or null. It stays until its name is put anew or erased, which no list that runs can
+    /// do: those commands are never compiled.
+    DisplayList* find(GLuint name)
     {
-        if (name < low_.size())
-            return low_[name];
-        const auto found = high_.find(name);
-        return found == high_.end() ? nullptr : found->second;
+        const Place place = place_of(name);
+        return place == NONE ? nullptr : &at(place);
     }
-    bool contains(GLuint name) const { return find(name) != nullptr; }
-    void put(GLuint name, std::shared_ptr<const DisplayList> list);
+    bool contains(GLuint name) const { return place_of(name) != NONE; }
+    void put(GLuint name, DisplayList list);
     /// Makes range empty lists with names in a row and returns the first; 0 when no such row is free.
     GLuint generate(GLsizei range);
     void erase(GLuint first, GLsizei range);
 
 private:
-    /// Lists by names below LOW, which generated ones are: found at once. Null: there is none.
+    /// Where a list lies; all empty ones share a place.
+    using Place = std::uint32_t;
+    static constexpr Place NONE = 0, EMPTY = 1;
+    /// Lists lie side by side in chunks, in the order they were made, which they are mostly called in, too.
+    static constexpr std::size_t CHUNK = 64;
+    using Chunk = std::array<DisplayList, CHUNK>;
+    /// Lists by names below LOW, which generated ones are, are found at once.
     static constexpr GLuint LOW = 1u << 16;
-    std::vector<std::shared_ptr<const DisplayList>> low_;
-    std::map<GLuint, std::shared_ptr<const DisplayList>> high_; ///< By any other name.
+
+    DisplayList& at(Place place) { return (*chunks_[place / CHUNK])[place % CHUNK]; }
+    Place place_of(GLuint name) const
+    {
+        if (name < low_.size())
+            return low_[name];
+        const auto found = high_.find(name);
+        return found == high_.end() ? NONE : found->second;
+    }
+    void add_chunk() { chunks_.push_back(std::make_unique<Chunk>()); }
+    Place make_place();
+    void set_place(GLuint name, Place place);
+    void release(Place place);
+
+    std::vector<std::unique_ptr<Chunk>> chunks_;
+    Place made_ = EMPTY + 1; ///< How many places there are, free ones too.
+    std::vector<Place> free_;
+    std::vector<Place> low_;
+    std::map<GLuint, Place> high_; ///< By any other name.
 };
 
 } // namespace legacygl

@@ -4,16 +4,17 @@
 #include "legacygl/primitives.h"
 #include "legacygl/vertex_assembler.h"
 
-#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace legacygl {
 
 /// Vertices of a display list, and the backend's copy of them.
 ///
-/// Keeps the vertices themselves: to build the copy again after a lost context, to replay them one by one
-/// where a draw call would be wrong, and for capture.
+/// Has within itself what a call reads, and elsewhere the vertices: they build the copy again after a lost
+/// context, are replayed one by one where a draw call would be wrong, and are what a capture notes.
 struct ListGeometry
 {
     explicit ListGeometry(VertexBatch vertices);
@@ -24,10 +25,23 @@ struct ListGeometry
     /// Attributes that were set but are the same for every vertex, as bits of Attribute.
     std::uint32_t constants = 0;
     GeometryObject object; ///< The backend's copy, made at the first draw.
-    std::vector<DrawRun> runs;
-    std::size_t runs_of_one_color = 0; ///< Of primitives_of_one_color(), at the beginning of runs.
-    VertexBatch batch;                 ///< Behind what else a call reads, and with what it reads first.
-    std::vector<std::uint32_t> indices;
+    std::uint32_t run_count = 0;
+    std::uint32_t runs_of_one_color = 0; ///< Of primitives_of_one_color(), which come first.
+    DrawRun first_run{};
+    BatchTraits traits; ///< The vertices'.
+
+    struct Vertices
+    {
+        VertexBatch batch;
+        std::vector<std::uint32_t> indices;
+        std::vector<DrawRun> runs;
+    };
+    std::unique_ptr<Vertices> vertices; ///< Never null.
+
+    std::span<const DrawRun> runs() const
+    {
+        return run_count > 1 ? std::span(vertices->runs) : std::span(&first_run, run_count);
+    }
 };
 
 } // namespace legacygl

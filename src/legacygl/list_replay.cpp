@@ -23,11 +23,6 @@ constexpr std::array<NotedCall, ATTRIBUTE_COUNT> NOTED_CALLS = {{{"glVertex4f", 
                                                                  {"glMultiTexCoord4f", 4},
                                                                  {"glEdgeFlag", 1}}};
 
-bool was_set(const VertexBatch& batch, int i)
-{
-    return batch.attributes_set & (1u << i);
-}
-
 /// Returns what a vertex has of an attribute: its own value, or the one that is the same for all.
 glm::vec4 value_of(const VertexBatch& batch, std::uint32_t vertex, int attribute)
 {
@@ -43,12 +38,12 @@ glm::vec4 value_of(const VertexBatch& batch, std::uint32_t vertex, int attribute
 }
 
 /// Sets the attributes of the mask to what the list left them with.
-void set_attributes(Context& gl, const VertexBatch& batch, std::uint32_t mask)
+void set_attributes(Context& gl, const BatchTraits& traits, std::uint32_t mask)
 {
     for (int i = 1; mask >> i != 0; ++i)
         if (mask & (1u << i))
             gl.immediate.attribute(static_cast<Attribute>(i), i == index_of(Attribute::normal) ? 3 : 4,
-                                   batch.last[i]);
+                                   traits.last[i]);
 }
 
 /// Gives each vertex with all attributes that the list had set by then, however often it set them. Those that
@@ -61,7 +56,7 @@ void visit(const VertexBatch& batch, Begin begin, End end, SetAttribute set, Ver
             begin(primitive.mode);
         for (std::uint32_t v = primitive.first; v < primitive.first + primitive.count; ++v) {
             for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-                if (was_set(batch, i) && v >= batch.unset_before[i])
+                if (batch.was_set(i) && v >= batch.unset_before[i])
                     set(static_cast<Attribute>(i), batch.format.components[i], value_of(batch, v, i));
             vertex(batch.format.components[0], value_of(batch, v, 0));
         }
@@ -93,7 +88,7 @@ void note_calls(Context& gl, const VertexBatch& batch)
         },
         [&](int, const glm::vec4& v) { note_call(gl, Attribute::position, v); });
     for (int i = 1; i < ATTRIBUTE_COUNT; ++i) // What was set after the last vertex.
-        if (was_set(batch, i) && noted[i] != batch.last[i])
+        if (batch.was_set(i) && noted[i] != batch.last[i])
             note_call(gl, static_cast<Attribute>(i), batch.last[i]);
 }
 
@@ -130,18 +125,17 @@ void replay_vertices(Context& gl, const VertexBatch& batch)
 
 void replay(Context& gl, ListGeometry& geometry)
 {
-    const VertexBatch& batch = geometry.batch;
     if (gl.capture.active())
-        note_calls(gl, batch);
+        note_calls(gl, geometry.vertices->batch);
     const bool drawable = geometry.drawable && !gl.immediate.inside();
     if (drawable)
         gl.flush_vertices();
-    set_attributes(gl, batch, geometry.constants);
+    set_attributes(gl, geometry.traits, geometry.constants);
     if (!drawable)
-        replay_vertices(gl, batch);
-    else if (!geometry.runs.empty())
+        replay_vertices(gl, geometry.vertices->batch);
+    else if (geometry.run_count != 0)
         gl.renderer.draw(gl.state, geometry);
-    set_attributes(gl, batch, batch.attributes_set);
+    set_attributes(gl, geometry.traits, geometry.traits.attributes_set);
 }
 
 } // namespace legacygl

@@ -1,5 +1,7 @@
 #include "legacygl/pixel_conversion.h"
 
+#include "legacygl/client_bitmap.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -315,6 +317,12 @@ void pack_depths(const PixelStore& store, int width, int height, GLenum type,
 void pack_stencils(const PixelStore& store, int width, int height, GLenum type,
                    std::span<const std::uint8_t> values, std::uint8_t* out)
 {
+    if (type == GL_BITMAP) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            write_bit(store, width, static_cast<int>(i) % width, static_cast<int>(i) / width, values[i] & 1,
+                      out);
+        return;
+    }
     pack_numbers(
         store, width, height, type, [&](std::size_t i) { return static_cast<double>(values[i]); }, out);
 }

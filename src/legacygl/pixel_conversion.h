@@ -36,7 +36,8 @@ void pack_pixels(const PixelStore& store, int width, int height, GLenum format, 
 void pack_depths(const PixelStore& store, int width, int height, GLenum type,
                  std::span<const std::uint32_t> depths, std::uint8_t* out);
 
-/// Writes stencil values into client memory. type has one value and no error.
+/// Writes stencil values into client memory. type has one value and no error, or is GL_BITMAP, which gets the
+/// lowest bit of each.
 void pack_stencils(const PixelStore& store, int width, int height, GLenum type,
                    std::span<const std::uint8_t> values, std::uint8_t* out);
 

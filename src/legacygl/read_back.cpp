@@ -12,8 +12,12 @@ PixelRectangle clip_to_frame(const Context& gl, int x, int y, int width, int hei
         const auto end = std::min(static_cast<std::int64_t>(at) + size, static_cast<std::int64_t>(limit));
         return static_cast<int>(std::max<std::int64_t>(0, end - begin(at)));
     };
-    return {begin(x),     begin(y),    length(x, width, gl.width), length(y, height, gl.height),
-            begin(x) - x, begin(y) - y};
+    return {begin(x),
+            begin(y),
+            length(x, width, gl.backend->target_width),
+            length(y, height, gl.backend->target_height),
+            begin(x) - x,
+            begin(y) - y};
 }
 
 std::vector<std::uint8_t> read_frame(Context& gl, const PixelRectangle& r)

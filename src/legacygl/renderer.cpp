@@ -35,7 +35,7 @@ bool shines(const VertexBatch& batch)
     const auto sets_shininess = [](const MaterialChange& change) {
         return change.name == GL_SHININESS && change.values[0] != 0;
     };
-    return !batch.material_changes.empty() &&
+    return batch.changes_materials &&
            (batch.materials_before[0].shininess != 0 || batch.materials_before[1].shininess != 0 ||
             std::any_of(batch.material_changes.begin(), batch.material_changes.end(), sets_shininess));
 }
@@ -58,6 +58,8 @@ Pipeline make_pipeline(const State& state)
     p.stencil = state.fragment.stencil;
     p.blend = state.fragment.blend;
     p.blend.enabled = p.blend.enabled && !state.fragment.color_logic_op;
+    if (p.blend.weighs_by_both_constants())
+        p.blend.source_rgb = GL_ONE;
     p.polygon_offset = state.raster.polygon_offset_fill;
     p.polygon_offset_factor_units = {state.raster.polygon_offset_factor, state.raster.polygon_offset_units};
     if (state.fragment.draw_buffer == GL_NONE)
@@ -226,18 +228,19 @@ void Renderer::draw_batch(const State& state, const VertexBatch& batch, std::spa
 
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
-    if (const std::optional<RasterWork> work = raster_work(state, geometry.batch))
-        return draw_shaded(state, geometry.batch, *work, true);
+    const ListGeometry::Vertices& vertices = *geometry.vertices;
+    if (const std::optional<RasterWork> work = raster_work(state, geometry.traits))
+        return draw_shaded(state, vertices.batch, *work, true);
     if (!geometry.object.valid())
         geometry.object.set(backend_,
-                            backend_.create_geometry(geometry.batch.format, geometry.batch.used_vertices(),
-                                                     geometry.indices));
+                            backend_.create_geometry(geometry.traits.format, vertices.batch.used_vertices(),
+                                                     vertices.indices));
     const auto draw = [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
         if (!backend_.draw(draw_state, geometry.object.id(), runs))
-            backend_.draw_stream(draw_state, geometry.batch.format, geometry.batch.used_vertices(),
-                                 geometry.indices, runs);
+            backend_.draw_stream(draw_state, geometry.traits.format, vertices.batch.used_vertices(),
+                                 vertices.indices, runs);
     };
-    const std::span<const DrawRun> runs = geometry.runs;
+    const std::span<const DrawRun> runs = geometry.runs();
     for_each_program(state, false, runs.first(geometry.runs_of_one_color), draw);
     for_each_program(state, true, runs.subspan(geometry.runs_of_one_color), draw);
 }
@@ -252,13 +255,13 @@ bool Renderer::viewport_holds_target(const State& state) const
 }
 
 /// Returns what ES cannot do itself for some of the primitives; nothing when it can do all.
-std::optional<RasterWork> Renderer::raster_work(const State& state, const VertexBatch& batch) const
+std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchTraits& batch) const
 {
     const RasterState& raster = state.raster;
     const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
     const RasterWork work{raster.unfilled() || raster.offsets_in_pipeline(), wide, raster.line_smooth,
                           raster.point_smooth};
-    const bool own_materials = state.lighting.enabled && !batch.material_changes.empty();
+    const bool own_materials = state.lighting.enabled && batch.changes_materials;
     const bool all =
         state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
         (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);

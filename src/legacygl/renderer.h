@@ -50,7 +50,7 @@ private:
     const ShaderKey& key_for(const State& state, PrimitiveClass primitive, bool color_varies);
     const ShaderKey& use(const ShaderKey& key);
     const DrawState& prepare(const State& state, const ShaderKey& key);
-    std::optional<RasterWork> raster_work(const State& state, const VertexBatch& batch) const;
+    std::optional<RasterWork> raster_work(const State& state, const BatchTraits& batch) const;
     bool viewport_holds_target(const State& state) const;
     void draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
                     bool color_varies);

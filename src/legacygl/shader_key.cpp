@@ -146,6 +146,7 @@ ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool col
     }
     if (state.fragment.alpha_test)
         key.alpha_func = state.fragment.alpha_func;
+    key.blend_weight = !state.fragment.color_logic_op && state.fragment.blend.weighs_by_both_constants();
     key.both_buffers = state.fragment.draws_front() && state.fragment.draws_back();
     return key;
 }
@@ -170,6 +171,7 @@ ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Co
     key.fog_mode = shading.fog_mode;
     key.fog_coordinate = shading.fog_mode != 0;
     key.alpha_func = shading.alpha_func;
+    key.blend_weight = shading.blend_weight;
     key.textures = shading.textures;
     for (TextureKey& texture : key.textures) {
         texture.matrix = false;
@@ -221,7 +223,7 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
     const auto mix = [&hash](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ull; };
     for (bool b : {key.lighting, key.eye_space, key.normalize, key.rescale, key.local_viewer, key.two_side,
                    key.separate_specular, key.specular, key.color_sum, key.fog_coordinate, key.flat,
-                   key.points, key.polygon_stipple, key.shaded, key.both_buffers})
+                   key.points, key.polygon_stipple, key.shaded, key.both_buffers, key.blend_weight})
         mix(b);
     mix(static_cast<std::uint64_t>(key.coverage));
     mix(key.logic_op);

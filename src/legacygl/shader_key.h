@@ -90,6 +90,7 @@ struct ShaderKey
     GLenum fog_mode = 0;         ///< 0: no fog.
     bool fog_coordinate = false; ///< Fog by the vertex's fog coordinate, not its distance.
     GLenum alpha_func = GL_ALWAYS;
+    bool blend_weight = false; ///< The colour is multiplied by its weight in blending.
     bool both_buffers = false; ///< The colour goes to the front and to the back.
     bool flat = false;         ///< See takes_one_color().
     bool points = false;
@@ -106,7 +107,7 @@ struct ShaderKey
     /// Whether the fragments read the uniform array `fragments`.
     bool reads_fragments() const
     {
-        return fog_mode || alpha_func != GL_ALWAYS || polygon_stipple || logic_op != GL_COPY;
+        return fog_mode || alpha_func != GL_ALWAYS || blend_weight || polygon_stipple || logic_op != GL_COPY;
     }
     bool secondary() const { return (lighting && separate_specular) || color_sum; }
     bool textured() const;
@@ -187,9 +188,9 @@ constexpr int SIZE = TEXTURE_UNIT_COUNT * UNIT_SIZE;
 
 /// Where things lie in the uniform array `fragments`, in vec4s.
 namespace fragments_layout {
-constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2, TARGET_COPY_ORIGIN = 3;
+constexpr int FOG_COLOR = 0, FOG_FACTORS = 1, ALPHA_REFERENCE = 2, TARGET_COPY_ORIGIN = 3, BLEND_WEIGHT = 4;
 /// Each row in two halves of 16 bits as numbers, the left one first; two rows in a vec4.
-constexpr int STIPPLE = 4, STIPPLE_SIZE = 16;
+constexpr int STIPPLE = 5, STIPPLE_SIZE = 16;
 constexpr int size(bool polygon_stipple)
 {
     return polygon_stipple ? STIPPLE + STIPPLE_SIZE : STIPPLE;

@@ -220,6 +220,13 @@ std::string logic_op_text(GLenum op)
            std::string(operations[op - GL_CLEAR]) + ") & 255) / 255.0;\n";
 }
 
+/// Multiplies the colour by its weight as a colour buffer of eight bits would: the weight comes in 255ths.
+std::string blend_weight_text()
+{
+    return "    c.rgb = round(round(clamp(c.rgb, 0.0, 1.0) * 255.0) * " +
+           at("fragments", fragments_layout::BLEND_WEIGHT) + ".rgb / 255.0) / 255.0;\n";
+}
+
 std::string fragment_text(const ShaderKey& key)
 {
     const bool two_side = key.lighting && key.two_side;
@@ -254,6 +261,8 @@ std::string fragment_text(const ShaderKey& key)
         text += coverage_text(key.coverage);
     if (key.alpha_func != GL_ALWAYS)
         text += alpha_text(key.alpha_func);
+    if (key.blend_weight)
+        text += blend_weight_text();
     if (key.logic_op != GL_COPY)
         text += logic_op_text(key.logic_op);
     if (key.both_buffers)

@@ -62,6 +62,23 @@ InfiniteLight infinite_light(glm::vec3 position, glm::vec3 towards_viewer)
     return {direction, normalized(direction + towards_viewer)};
 }
 
+/// Returns what blending multiplies the source's colours by, in 255ths (OpenGL 1.5, table 4.2).
+glm::vec4 blend_weight(const BlendState& blend)
+{
+    if (blend.equation == GL_MIN || blend.equation == GL_MAX)
+        return glm::vec4(255); // No factor counts.
+    const bool by_color =
+        blend.source_rgb == GL_CONSTANT_COLOR || blend.source_rgb == GL_ONE_MINUS_CONSTANT_COLOR;
+    const bool complement =
+        blend.source_rgb == GL_ONE_MINUS_CONSTANT_COLOR || blend.source_rgb == GL_ONE_MINUS_CONSTANT_ALPHA;
+    glm::vec4 weight;
+    for (int i = 0; i < 4; ++i) {
+        const float constant = std::floor((by_color ? blend.color[i] : blend.color.a) * 255.0f + 0.5f);
+        weight[i] = complement ? 255.0f - constant : constant;
+    }
+    return weight;
+}
+
 } // namespace
 
 float rasterised_point_size(float size)
@@ -187,6 +204,7 @@ void fill_fragments(const State& state, glm::vec4 target_copy_origin, std::span<
     out[FOG_FACTORS] = {slope, fog.end * -slope, fog.density * LOG2_E, fog.density * ONE_DIV_SQRT_LN_2};
     out[ALPHA_REFERENCE] = glm::vec4(std::floor(state.fragment.alpha_reference * 255.0f + 0.5f));
     out[TARGET_COPY_ORIGIN] = target_copy_origin;
+    out[BLEND_WEIGHT] = blend_weight(state.fragment.blend);
     if (out.size() <= STIPPLE)
         return;
     const StippleRows& rows = state.raster.polygon_stipple.rows;

@@ -90,6 +90,7 @@ void VertexAssembler::clear()
     batch_.primitives.clear();
     batch_.unset_before = {};
     batch_.material_changes.clear();
+    batch_.changes_materials = false;
     batch_.attributes_set = batch_.attributes_varying = batch_.modes = 0;
     batch_.vertex_count = 0;
     first_ = 0;

@@ -32,8 +32,8 @@ struct MaterialChange
     std::array<float, 4> values;
 };
 
-/// Vertices of one format and the primitives made of them. What calling a list reads comes first.
-struct VertexBatch
+/// What a batch of vertices is like, without the vertices.
+struct BatchTraits
 {
     VertexFormat format;
     /// Which attributes were set at all, as bits of Attribute; `last` has the values they were left with.
@@ -44,16 +44,24 @@ struct VertexBatch
     std::uint32_t colors_vary_from = 0; ///< Where colours vary, the first primitive they were given in.
     std::uint32_t modes = 0;            ///< Of the primitives, as bits: 1 << GL_TRIANGLES …
     std::uint32_t vertex_count = 0;
+    bool changes_materials = false; ///< Some vertices have a material of their own.
+    CurrentAttributes last{};
+
+    bool varies(Attribute attribute) const { return attributes_varying & (1u << index_of(attribute)); }
+    bool was_set(int attribute) const { return attributes_set & (1u << attribute); }
+};
+
+/// Vertices of one format and the primitives made of them.
+struct VertexBatch : BatchTraits
+{
     std::vector<float> vertices; ///< vertex_count × format.floats(), perhaps with room behind.
     std::vector<Primitive> primitives;
     /// Changes of the material, in order, and the materials before the first of them.
     std::vector<MaterialChange> material_changes;
-    CurrentAttributes last{};
     /// The first so many vertices came before the attribute was first set: what they hold is a filler.
     std::array<std::uint32_t, ATTRIBUTE_COUNT> unset_before{};
     std::array<Material, 2> materials_before;
 
-    bool varies(Attribute attribute) const { return attributes_varying & (1u << index_of(attribute)); }
     /// Returns how many primitives at the beginning have one colour each.
     std::size_t primitives_of_one_color() const
     {
@@ -145,6 +153,7 @@ public:
             batch_.materials_before = now;
         change.vertex = batch_.vertex_count;
         batch_.material_changes.push_back(change);
+        batch_.changes_materials = true;
     }
 
     bool has_vertices() const { return batch_.vertex_count != 0; }

@@ -39,7 +39,7 @@ std::optional<PictureDifference> measure_difference(const Picture& high, const P
 /// alpha is not 0.
 std::optional<PictureDifference> measure_difference(const Picture& high, const Picture& low, int tolerance);
 
-/// Says when a difference shows. One colour a part cannot have the spots of camouflage, and without
+/// Says when a difference shows. One colour a face cannot have the spots of camouflage, and without
 /// antialiasing no two outlines are the same pixels: compared pixel by pixel the models differ however far
 /// away they are. What an eye notices of a tank of a few dozen pixels are patches of it that change.
 /// The numbers are for a tank on open ground in a window of 1280 x 800, and were found by looking at pairs of

@@ -30,6 +30,8 @@ constexpr Turning TURNINGS[] = {
     {"main gun", app::FieldId::main_gun, Joint::main_gun, [](Part part) { return part == Part::main_gun; }},
     {"secondary gun", app::FieldId::secondary_gun, Joint::secondary_gun,
      [](Part part) { return part == Part::secondary_gun; }},
+    {"secondary gun's cradle", app::FieldId::secondary_gun_pitch, Joint::secondary_gun_pitch,
+     [](Part part) { return part == Part::secondary_gun; }},
     {"wheels", app::FieldId::wheels_left, Joint::wheels_left,
      [](Part part) { return part >= Part::wheel_left_1; }},
 };

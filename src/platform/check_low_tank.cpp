@@ -55,7 +55,7 @@ struct LowCalls
 {
     std::size_t lit = 0;
     std::size_t textured = 0;
-    std::size_t uncoloured = 0; ///< no glColor3ub since the last list
+    std::size_t uncoloured = 0; ///< corners without a colour of their list's own
     std::set<std::vector<double>> colours;
     std::size_t corners = 0;
 };
@@ -67,7 +67,6 @@ LowCalls low_calls(const FrameCapture& capture)
     LowCalls found;
     bool lit = false;
     bool textured = false;
-    std::vector<double> colour;
     std::size_t next = 0;
     for (std::size_t i = 0; i < capture.calls.size() && next < capture.low_list_calls.size(); ++i) {
         const LegacyGLCall& call = capture.calls[i];
@@ -75,15 +74,19 @@ LowCalls low_calls(const FrameCapture& capture)
         if (name == "glEnable" || name == "glDisable") {
             lit = call.arguments[0] == LIGHTING ? name == "glEnable" : lit;
             textured = call.arguments[0] == TEXTURE_2D ? name == "glEnable" : textured;
-        } else if (name == "glColor3ub") {
-            colour.assign(call.arguments, call.arguments + 3);
         } else if (i == capture.low_list_calls[next].index) {
             found.lit += lit ? 1u : 0u;
             found.textured += textured ? 1u : 0u;
-            found.uncoloured += colour.empty() ? 1u : 0u;
-            found.colours.insert(colour);
+            bool is_coloured = false;
             for (const LegacyGLCall& of_list : capture.calls_of_list(capture.low_list_calls[next])) {
-                found.corners += std::string_view(of_list.name).starts_with("glVertex") ? 1u : 0u;
+                // A list gives glColor3ub back as glColor4f.
+                if (std::string_view(of_list.name).starts_with("glColor")) {
+                    found.colours.insert({of_list.arguments, of_list.arguments + 3});
+                    is_coloured = true;
+                } else if (std::string_view(of_list.name).starts_with("glVertex")) {
+                    ++found.corners;
+                    found.uncoloured += is_coloured ? 0u : 1u;
+                }
             }
             ++next;
         }
@@ -143,9 +146,9 @@ void check_drawing(const CheckSubject& subject, Evidence& evidence)
                      std::to_string(low.lit) + " parts of the low tank are lit, " +
                          std::to_string(low.textured) + " textured.");
     evidence.require(low.uncoloured == 0 && low.colours.size() >= 4,
-                     "glColor3ub gives its parts " + std::to_string(low.colours.size()) + " colours.",
-                     "glColor3ub gives its parts only " + std::to_string(low.colours.size()) + " colours; " +
-                         std::to_string(low.uncoloured) + " have none.");
+                     "glColor3ub gives its corners " + std::to_string(low.colours.size()) + " colours.",
+                     "glColor3ub gives its corners only " + std::to_string(low.colours.size()) +
+                         " colours; " + std::to_string(low.uncoloured) + " have none.");
     evidence.require(low_triangles > 0 && low_triangles * 8 < high_triangles,
                      "18 calls of lists draw " + std::to_string(low_triangles) +
                          " triangles, of the high tank " + std::to_string(high_triangles) + ".",

@@ -104,7 +104,7 @@ void check_difference(const CheckSubject& subject, Evidence& evidence)
     // In a lower window the tank is as small as in the one of the measurement further away.
     const double as_seen = d * std::min(subject.height, MEASURED_HEIGHT) / MEASURED_HEIGHT;
     const lod::PictureDifference beyond = difference_at(subject, as_seen * 1.02);
-    const lod::PictureDifference inside = difference_at(subject, as_seen / 5.0);
+    const lod::PictureDifference inside = difference_at(subject, as_seen / 20.0);
     const lod::ShowingCriterion criterion;
     evidence.require(beyond.tank_pixels > 0 && !lod::shows(beyond, criterion),
                      "Beyond the d of " + app::in_metres(d) + " m high and low differ in " +
@@ -114,7 +114,8 @@ void check_difference(const CheckSubject& subject, Evidence& evidence)
                          std::to_string(beyond.tank_pixels) + " patches.");
     evidence.require(lod::shows(inside, criterion),
                      "Well inside of it they differ in " + percent(inside.share()) + " of them.",
-                     "Well inside of it they do not differ: the threshold could be nearer.");
+                     "Well inside of it they differ in only " + percent(inside.share()) +
+                         " of them: the threshold could be nearer.");
 }
 
 void check_noting(const CheckSubject& subject, Evidence& evidence)

@@ -17,12 +17,12 @@ glm::mat4 modelview_of(const LegacyGLCall& call)
     return matrix;
 }
 
-/// Returns the mesh whose list this is; list_of gives a mesh's list, 0 for none.
-template <class ListOf> std::optional<tank::MeshKind> mesh_of(unsigned list, ListOf list_of)
+/// Returns the mesh of the high tank whose list this is.
+std::optional<tank::MeshKind> mesh_of(unsigned list, const scene::TankLists& lists)
 {
     for (std::size_t i = 0; i < tank::MESH_KIND_COUNT; ++i) {
         const auto mesh = static_cast<tank::MeshKind>(i);
-        if (list != 0 && list_of(mesh) == list) {
+        if (list != 0 && lists.list(mesh) == list) {
             return mesh;
         }
     }
@@ -67,10 +67,10 @@ void digest(FrameCapture& capture, const scene::TankLists& lists)
             }
         } else if (name == "glCallList") {
             const auto list = static_cast<unsigned>(call.arguments[0]);
-            if (const auto mesh = mesh_of(list, [&](tank::MeshKind kind) { return lists.list(kind); })) {
+            if (const auto mesh = mesh_of(list, lists)) {
                 capture.tank_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i, i + 1});
             }
-            if (const auto mesh = mesh_of(list, [&](tank::MeshKind kind) { return lists.low_list(kind); })) {
+            if (const auto mesh = lists.low_mesh_of(list)) {
                 capture.low_list_calls.push_back({*mesh, list, modelview_of(call), scopes, i, i + 1});
             }
         }

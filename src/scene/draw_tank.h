@@ -24,7 +24,8 @@ public:
     /// if the body has some, are where the wheels of their side have turned them.
     void draw_tank(float x, float y, float z) const;
 
-    /// Draws the low-detail tank in the same way, without light and texture, each mesh in its low_colour().
+    /// Draws the low-detail tank in the same way, without light and texture: its lists have the colours that
+    /// the sun gives it there.
     /// Call it where draw_tank is called, with GL_LIGHTING and GL_TEXTURE_2D on: they are on again
     /// afterwards, and the current colour is white.
     void draw_tank_low(float x, float y, float z) const;
@@ -35,7 +36,7 @@ public:
 private:
     void draw_links(app::Side side, tank::Joint wheels) const;
     template <class DrawMesh> void draw_at(float x, float y, float z, const DrawMesh& draw_mesh) const;
-    template <class DrawMesh> void draw_part(tank::Part part, const DrawMesh& draw_mesh) const;
+    template <class DrawMesh> void draw_part(tank::Part part, double yaw, const DrawMesh& draw_mesh) const;
 
     const TankLists& lists_;
     const tank::Layout& layout_;

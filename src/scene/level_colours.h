@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/low_colours.h"
+#include "scene/rgb.h"
 
 namespace scene {
 

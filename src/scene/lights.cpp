@@ -1,5 +1,9 @@
 #include "scene/lights.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <GL/gl.h>
 
 namespace scene {
@@ -18,7 +22,26 @@ constexpr GLfloat SKY_LIGHT_COLOUR[] = {0.22f, 0.26f, 0.32f, 1.0f};
 constexpr GLfloat AMBIENT[] = {0.34f, 0.35f, 0.37f, 1.0f};
 constexpr GLfloat BLACK[] = {0.0f, 0.0f, 0.0f, 1.0f};
 
+glm::vec3 from(const GLfloat (&values)[4])
+{
+    return {values[0], values[1], values[2]};
+}
+
+/// Returns the diffuse light from a direction.
+glm::vec3 diffuse(const GLfloat (&colour)[4], const GLfloat (&towards)[4], const glm::vec3& normal)
+{
+    return std::max(glm::dot(normal, glm::normalize(from(towards))), 0.0f) * from(colour);
+}
+
 } // namespace
+
+glm::vec3 light_on(const glm::vec3& normal)
+{
+    const glm::vec3 unit = glm::normalize(normal);
+    return glm::min(from(AMBIENT) + diffuse(SUN_COLOUR, SUN_POSITION, unit) +
+                        diffuse(SKY_LIGHT_COLOUR, TO_SKY_LIGHT, unit),
+                    glm::vec3(1.0f));
+}
 
 void set_up_lights()
 {

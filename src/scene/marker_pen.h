@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/camera_view.h"
-#include "scene/low_colours.h"
+#include "scene/rgb.h"
 #include "scene/shapes.h"
 
 #include <glm/vec3.hpp>

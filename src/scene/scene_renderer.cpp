@@ -124,7 +124,7 @@ std::string SceneRenderer::load_tank(const app::Assets& assets)
     }
     texture_ = upload_texture(assets.texture);
     const bool loaded = tank_lists_.load_tank_objs(assets.high, assets.track_links) &&
-                        tank_lists_.load_low_detail_tank_objs(assets.low) &&
+                        tank_lists_.load_low_detail_tank_objs(assets.low, assets.low_paint) &&
                         tank_lists_.load_shapes(assets.meshes(shadow_level(assets)));
     const GLenum error = glGetError();
     return loaded && error == GL_NO_ERROR ? "" : refusal(error);

@@ -1,5 +1,10 @@
 #include "scene/tank_lists.h"
 
+#include "scene/draw_low_obj.h"
+
+#include <cmath>
+#include <numbers>
+
 #include <GL/gl.h>
 
 namespace scene {
@@ -61,6 +66,40 @@ bool TankLists::load_links(const mesh::ObjMesh& body)
         glEndList();
     }
     return true;
+}
+
+bool TankLists::load_low_detail_tank_objs(const Meshes& objs, const app::LowPaint& paint)
+{
+    if (!rename_lists(first_low_list_, LOW_LIST_COUNT)) {
+        return false;
+    }
+    for (unsigned i = 0; i < LOW_LIST_COUNT; ++i) {
+        const std::size_t mesh = i / YAWS;
+        const LowPose pose{.yaw = 2.0 * std::numbers::pi * (i % YAWS) / YAWS,
+                           .turns_about_x = mesh == tank::index_of(tank::MeshKind::wheel)};
+        glNewList(first_low_list_ + i, GL_COMPILE);
+        draw_low_obj(objs[mesh], paint[mesh], pose);
+        glEndList();
+    }
+    return true;
+}
+
+unsigned TankLists::low_list(tank::MeshKind mesh, double yaw) const
+{
+    if (first_low_list_ == 0) {
+        return 0;
+    }
+    const double turns = yaw / (2.0 * std::numbers::pi);
+    const auto nearest = static_cast<unsigned>(std::lround((turns - std::floor(turns)) * YAWS)) % YAWS;
+    return first_low_list_ + static_cast<unsigned>(tank::index_of(mesh)) * YAWS + nearest;
+}
+
+std::optional<tank::MeshKind> TankLists::low_mesh_of(unsigned list) const
+{
+    if (first_low_list_ == 0 || list < first_low_list_ || list >= first_low_list_ + LOW_LIST_COUNT) {
+        return std::nullopt;
+    }
+    return static_cast<tank::MeshKind>((list - first_low_list_) / YAWS);
 }
 
 unsigned TankLists::track_list(app::Side side, double angle) const

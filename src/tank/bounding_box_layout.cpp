@@ -51,8 +51,10 @@ void place_secondary_gun(Layout& layout, const Box& turret, const Box& box, cons
     const float x = -size.x / 6.0f;
     const float z = -size.z / 9.0f;
     const float height = roof_or_usual(roof, turret, axis.x + x, axis.z + z);
-    layout[Part::secondary_gun].pivot = {x, height - axis.y, z};
-    layout[Part::secondary_gun].mesh_offset = {-middle_of(box).x, -box.minimum.y, -box.minimum.z};
+    PartPlacement& gun = layout[Part::secondary_gun];
+    gun.pivot = {x, height - axis.y, z};
+    gun.second->pivot = {0.0f, 0.5f * size_of(box).y, 0.0f};
+    gun.mesh_offset = {-middle_of(box).x, -middle_of(box).y, -box.minimum.z};
 }
 
 void place_wheels(Layout& layout, const Box& body, const Box& box)

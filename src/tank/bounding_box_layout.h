@@ -15,7 +15,8 @@ namespace tank {
 /// - The main gun's trunnion is at the turret's middle, 1/8 of the turret's length behind its front and a
 ///   tenth of that length above its floor; in the gun it is in the middle, 1/18 of its length from its end.
 /// - The secondary gun stands on the roof, 1/6 of the turret's width to the right of the turret's axis and
-///   1/9 of its length behind it, and turns about its rear end.
+///   1/9 of its length behind it, and turns about its rear end; there it pitches, too, at half its height, so
+///   that no pitch sinks its rear into the roof.
 /// - The wheels stand 1/20 of the body's height above the ground, for the track below them, and 1/30 of its
 ///   width within its sides, evenly from 4/5 to 1/5 of its length. They turn about their middle. Where the
 ///   origin of the wheel's mesh is at its +X side, that side is the hub and the other one is outside;

@@ -18,12 +18,14 @@ constexpr double from_degrees(double degrees)
 constexpr JointLimits ALL_THE_WAY_ROUND{.wraps = true, .minimum = -pi, .maximum = pi};
 
 constexpr std::array<JointLimits, JOINT_COUNT> LIMITS = {{
-    /* heading       */ ALL_THE_WAY_ROUND,
-    /* turret        */ ALL_THE_WAY_ROUND,
-    /* main_gun      */ {.wraps = false, .minimum = from_degrees(-9.0), .maximum = from_degrees(20.0)},
-    /* secondary_gun */ {.wraps = false, .minimum = from_degrees(-120.0), .maximum = from_degrees(120.0)},
-    /* wheels_left   */ ALL_THE_WAY_ROUND,
-    /* wheels_right  */ ALL_THE_WAY_ROUND,
+    /* heading             */ ALL_THE_WAY_ROUND,
+    /* turret              */ ALL_THE_WAY_ROUND,
+    /* main_gun            */ {.wraps = false, .minimum = from_degrees(-9.0), .maximum = from_degrees(20.0)},
+    /* secondary_gun       */
+    {.wraps = false, .minimum = from_degrees(-120.0), .maximum = from_degrees(120.0)},
+    /* secondary_gun_pitch */ {.wraps = false, .minimum = from_degrees(-10.0), .maximum = from_degrees(60.0)},
+    /* wheels_left         */ ALL_THE_WAY_ROUND,
+    /* wheels_right        */ ALL_THE_WAY_ROUND,
 }};
 
 } // namespace

@@ -5,18 +5,20 @@
 
 namespace tank {
 
-/// Names what can turn: each joint moves one part or, for the wheels, one side of the tank.
+/// Names what can turn: each joint moves one part or, for the wheels, one side of the tank. The secondary gun
+/// has two.
 enum class Joint
 {
     heading,
     turret,
     main_gun,
-    secondary_gun,
+    secondary_gun,       ///< its yaw
+    secondary_gun_pitch, ///< within its yaw
     wheels_left,
     wheels_right,
 };
 
-constexpr std::size_t JOINT_COUNT = 6;
+constexpr std::size_t JOINT_COUNT = 7;
 
 /// Returns the index of a joint, in [0, JOINT_COUNT).
 constexpr std::size_t index_of(Joint joint)

@@ -60,13 +60,16 @@ Layout default_layout()
                               .mesh_yaw = 0.0,
                               .mesh = MeshKind::main_gun,
                               .joint = Joint::main_gun};
-    layout[Part::secondary_gun] = {.parent = Part::turret,
-                                   .pivot = {-0.55f, 0.95f, -0.35f},
-                                   .axis = PLUS_Y,
-                                   .mesh_offset = {0.0f, 0.0f, 0.25f},
-                                   .mesh_yaw = 0.0,
-                                   .mesh = MeshKind::secondary_gun,
-                                   .joint = Joint::secondary_gun};
+    // The secondary gun runs round its rail, and its cradle pitches on it.
+    layout[Part::secondary_gun] = {
+        .parent = Part::turret,
+        .pivot = {-0.55f, 0.95f, -0.35f},
+        .axis = PLUS_Y,
+        .mesh_offset = {0.0f, -0.27f, -0.06f},
+        .mesh_yaw = 0.0,
+        .mesh = MeshKind::secondary_gun,
+        .joint = Joint::secondary_gun,
+        .second = Turn{.pivot = {0.0f, 0.27f, 0.31f}, .axis = MINUS_X, .joint = Joint::secondary_gun_pitch}};
     for (int i = 0; i < WHEELS_PER_SIDE; ++i) {
         const auto offset = static_cast<std::size_t>(i);
         layout.parts[index_of(Part::wheel_left_1) + offset] = wheel(i + 1, true);
@@ -81,7 +84,7 @@ MeshBoxes default_boxes()
         {{-1.780f, 0.000f, -3.765f}, {1.780f, 1.648f, 3.750f}},  // body
         {{-1.568f, -0.020f, -2.738f}, {1.568f, 2.760f, 1.740f}}, // turret
         {{-0.405f, 0.115f, 0.940f}, {0.405f, 0.725f, 6.300f}},   // main gun
-        {{-0.338f, -0.037f, -0.580f}, {0.338f, 0.325f, 1.040f}}, // secondary gun
+        {{-0.085f, 0.180f, -0.242f}, {0.205f, 0.440f, 1.240f}},  // secondary gun
         {{-0.250f, -0.360f, -0.360f}, {0.250f, 0.360f, 0.360f}}, // wheel
     }};
 }
@@ -92,6 +95,9 @@ Layout scaled(const Layout& layout, double factor)
     for (PartPlacement& placement : result.parts) {
         placement.pivot = glm::vec3(glm::dvec3(placement.pivot) * factor);
         placement.mesh_offset = glm::vec3(glm::dvec3(placement.mesh_offset) * factor);
+        if (placement.second) {
+            placement.second->pivot = glm::vec3(glm::dvec3(placement.second->pivot) * factor);
+        }
     }
     return result;
 }

@@ -6,13 +6,23 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace tank {
 
+/// Says about what a part turns within its first joint. Metres.
+struct Turn
+{
+    glm::vec3 pivot; ///< in the first joint's frame
+    glm::vec3 axis;  ///< unit length; along X, Y or Z, either way
+    Joint joint;
+};
+
 /// Says where a part hangs, about what it turns, and how its mesh lies in it. Metres and radians.
 ///
-///     joint(part) = joint(parent) * T(pivot) * R(axis, angle of the part's joint)
-///     mesh(part)  = joint(part) * R_y(mesh_yaw) * T(mesh_offset)
+///     turned(part) = joint(parent) * T(pivot) * R(axis, angle of the part's joint)
+///     joint(part)  = turned(part) * T(second.pivot) * R(second.axis, angle of second.joint), if it has one
+///     mesh(part)   = joint(part) * R_y(mesh_yaw) * T(mesh_offset)
 ///
 /// Children hang in the joint's frame; only the part's own mesh is moved by the yaw and the offset.
 struct PartPlacement
@@ -20,10 +30,11 @@ struct PartPlacement
     Part parent;           ///< the part itself for the body
     glm::vec3 pivot;       ///< in the parent's joint frame; for the body from the tank's position
     glm::vec3 axis;        ///< unit length; along X, Y or Z, either way
-    glm::vec3 mesh_offset; ///< from the pivot to the mesh's origin, before mesh_yaw turns it
+    glm::vec3 mesh_offset; ///< from the innermost pivot to the mesh's origin, before mesh_yaw turns it
     double mesh_yaw;       ///< about +Y
     MeshKind mesh;
     Joint joint;
+    std::optional<Turn> second = std::nullopt;
 };
 
 /// Holds the tree of parts. Precondition everywhere: a parent comes before its children, the body is the

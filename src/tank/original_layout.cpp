@@ -40,9 +40,12 @@ Layout layout_with_wheels_at(float wheel_x, const TurretRoof& roof)
     constexpr float GUN_X = -12.0f;
     constexpr float GUN_Z = -14.5f;
     const float roof_y = roof_or_usual(roof, box_of(boxes, MeshKind::turret), GUN_X, GUN_Z);
+    // It pitches about its mesh's origin, which is near its rear end, but at half its height.
+    const Box& gun = box_of(boxes, MeshKind::secondary_gun);
+    const float half = 0.5f * (gun.maximum.y - gun.minimum.y);
     layout[Part::secondary_gun].pivot = {GUN_X, roof_y, GUN_Z};
-    layout[Part::secondary_gun].mesh_offset = {0.0f, -box_of(boxes, MeshKind::secondary_gun).minimum.y,
-                                               10.0f};
+    layout[Part::secondary_gun].second->pivot = {0.0f, half, 10.0f};
+    layout[Part::secondary_gun].mesh_offset = {0.0f, -gun.minimum.y - half, 0.0f};
     for (int i = 0; i < WHEELS_PER_SIDE; ++i) {
         const auto offset = static_cast<std::size_t>(i);
         layout.parts[index_of(Part::wheel_left_1) + offset] = wheel(i + 1, true, wheel_x);

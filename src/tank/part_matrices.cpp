@@ -25,6 +25,9 @@ PartMatrices part_matrices(const Layout& layout, const RootPose& root, const Joi
         const glm::dmat4 parent = is_root ? translation(root.position) : joints[index_of(placement.parent)];
         glm::dmat4& joint = joints[index_of(part)];
         joint = parent * translation(placement.pivot) * rotation(placement.axis, angles[placement.joint]);
+        if (const std::optional<Turn>& second = placement.second) {
+            joint = joint * translation(second->pivot) * rotation(second->axis, angles[second->joint]);
+        }
         matrices.joints[index_of(part)] = glm::mat4(joint);
 
         const glm::dmat4 mesh =

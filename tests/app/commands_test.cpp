@@ -137,8 +137,9 @@ TEST(CommandsTest, FieldsOfOneCommandHaveOneRange)
 
 TEST(CommandsTest, EveryJointOfTheLabTurnsBothWaysByKeysAtOneRate)
 {
-    for (FieldId id : {FieldId::turret, FieldId::main_gun, FieldId::secondary_gun, FieldId::wheels_left,
-                       FieldId::wheels_right, FieldId::heading}) {
+    for (FieldId id :
+         {FieldId::turret, FieldId::main_gun, FieldId::secondary_gun, FieldId::secondary_gun_pitch,
+          FieldId::wheels_left, FieldId::wheels_right, FieldId::heading}) {
         double sum = 0.0;
         int ways = 0;
         for (const Command& command : commands()) {

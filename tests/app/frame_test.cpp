@@ -169,6 +169,23 @@ TEST(FrameTest, TheFirstPictureShowsTheWholeTankWellPlaced)
     EXPECT_GT(std::abs(frame.camera.eye.x), 4.0);
 }
 
+TEST(FrameTest, ShowsTheAxisOfEitherJointOfTheSecondaryGunWhereItsMetalIs)
+{
+    const std::string pose = "turret=90&secondary_gun=90&secondary_gun_pitch=30&axis=";
+    // The yaw's is upright through the cupola, however high the gun is raised: (-0.55, 2.55, -0.1) about
+    // (0, *, 0.25) by a quarter turn to the left.
+    const AxisInFrame yaw = frame_of(pose + "secondary_gun").axis;
+    ASSERT_TRUE(yaw.is_shown);
+    EXPECT_LT(glm::distance(yaw.origin, glm::dvec3(-0.35, 2.55, 0.8)), 1e-6);
+    EXPECT_LT(glm::distance(yaw.direction, glm::dvec3(0, 1, 0)), 1e-6);
+    // Half round in all, the gun points backwards: its trunnion is behind the cupola, and positive turns
+    // raise it.
+    const AxisInFrame pitch = frame_of(pose + "secondary_gun_pitch").axis;
+    ASSERT_TRUE(pitch.is_shown);
+    EXPECT_LT(glm::distance(pitch.origin, glm::dvec3(-0.35, 2.82, 0.49)), 1e-6);
+    EXPECT_LT(glm::distance(pitch.direction, glm::dvec3(1, 0, 0)), 1e-6);
+}
+
 TEST(FrameTest, MakingAFrameIsPure)
 {
     std::mt19937_64 random(41);

@@ -103,7 +103,7 @@ TEST_F(MotionTest, ShowsItsAxisWhenThatIsAskedFor)
     step(3);
     // Of two the one further out.
     const AxisInFrame axis = simulation.frame().axis;
-    const AxisInFrame gun = axis_of(simulation.state(), own_assets(), Part::main_gun);
+    const AxisInFrame gun = axis_of(simulation.state(), own_assets(), tank::Joint::main_gun);
     EXPECT_TRUE(axis.is_shown);
     EXPECT_EQ(axis.origin, gun.origin);
     EXPECT_EQ(axis.direction, gun.direction);
@@ -111,6 +111,24 @@ TEST_F(MotionTest, ShowsItsAxisWhenThatIsAskedFor)
     simulation.apply("turret_left", 1.0);
     step(3);
     EXPECT_FALSE(simulation.frame().axis.is_shown);
+}
+
+TEST_F(MotionTest, OfAPartWithTwoJointsShowsTheAxisOfTheOneThatMoves)
+{
+    simulation.open_link("axis=moving&secondary_gun=50");
+    simulation.apply("secondary_gun_left", 1.0);
+    step(3);
+    EXPECT_TRUE(moves(Part::secondary_gun));
+    EXPECT_NEAR(simulation.frame().axis.direction.y, 1.0, 1e-6);
+    simulation.apply("secondary_gun_up", 1.0);
+    step(3);
+    EXPECT_NEAR(simulation.frame().axis.direction.y, 0.0, 1e-6); // both move: the inner one
+    simulation.apply("release_all", 1.0);
+    step(60);
+    simulation.apply("secondary_gun_down", 1.0);
+    step(3);
+    EXPECT_TRUE(moves(Part::secondary_gun));
+    EXPECT_NEAR(simulation.frame().axis.direction.y, 0.0, 1e-6);
 }
 
 TEST_F(MotionTest, IsToldToThePage)

@@ -23,8 +23,8 @@ void open(Simulation& simulation, std::string_view fragment)
 
 void random_pose(Simulation& simulation, std::mt19937_64& random)
 {
-    for (std::string_view name :
-         {"turret", "gun", "secondary_gun", "wheels_left", "wheels_right", "heading", "x", "z"}) {
+    for (std::string_view name : {"turret", "gun", "secondary_gun", "secondary_gun_pitch", "wheels_left",
+                                  "wheels_right", "heading", "x", "z"}) {
         ASSERT_EQ(simulation.apply(name, next_unit(random) * 360.0 - 180.0), "");
     }
 }

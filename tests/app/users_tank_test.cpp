@@ -144,6 +144,12 @@ TEST(OriginalTankTest, TurnsEachPartAboutItsPivot)
     expect_fixed(Part::secondary_gun, tank::Joint::secondary_gun, 1.0, {0.0f, 3.0f, -10.0f});
     expect_fixed(Part::wheel_left_3, tank::Joint::wheels_left, 2.0, {-5.0f, -0.05f, 0.385f});
     expect_fixed(Part::wheel_right_3, tank::Joint::wheels_right, 2.0, {-5.0f, -0.05f, 0.385f});
+    // The secondary gun pitches about its mesh's origin at half its height.
+    expect_fixed(Part::secondary_gun, tank::Joint::secondary_gun_pitch, 1.0, {2.0f, 4.65f, 0.0f});
+    tank::JointAngles pitched;
+    pitched[tank::Joint::secondary_gun_pitch] = 0.3;
+    EXPECT_GT(placed(assets, Part::secondary_gun, pitched).maximum.y,
+              placed(assets, Part::secondary_gun).maximum.y + 8.0f * static_cast<float>(UNIT));
     // The gun's muzzle rises.
     tank::JointAngles raised;
     raised[tank::Joint::main_gun] = 0.3;

@@ -1,6 +1,7 @@
 // What the CPU makes of polygons, lines and points that ES cannot draw itself.
 
 #define GL_GLEXT_PROTOTYPES
+#include "legacygl/pixel_conversion.h"
 #include "legacygl/stipple_image.h"
 #include "recorded_gl.h"
 
@@ -320,6 +321,23 @@ TEST(StippleImage, BeginsWithinAByteWhenPixelsAreSkipped)
     EXPECT_EQ(legacygl::unpack_stipple(store, bits.data())[0], 0xf0000000u);
     store.lsb_first = true; // pixels 0, 1, 2, and 15
     EXPECT_EQ(legacygl::unpack_stipple(store, bits.data())[0], 1u << (31 - 10));
+}
+
+// OpenGL 1.5, 4.3.2: stencil values read as a bitmap give their lowest bits. Mesa refuses it, so no scene can
+// tell.
+TEST(StencilImage, GivesItsLowestBitsAsABitmap)
+{
+    const std::array<std::uint8_t, 6> values = {1, 2, 3, 255, 0, 5}; // two rows of three
+    legacygl::PixelStore store;
+    store.alignment = 2;
+    store.row_length = 9;
+    store.skip_pixels = 1;
+    std::array<std::uint8_t, 4> bits = {0xff, 0xff, 0x00, 0x00};
+    legacygl::pack_stencils(store, 3, 2, GL_BITMAP, values, bits.data());
+    EXPECT_EQ(bits, (std::array<std::uint8_t, 4>{0xdf, 0xff, 0x50, 0x00}));
+    store.lsb_first = true;
+    legacygl::pack_stencils(store, 3, 2, GL_BITMAP, values, bits.data());
+    EXPECT_EQ(bits, (std::array<std::uint8_t, 4>{0xdb, 0xff, 0x5a, 0x00}));
 }
 
 } // namespace

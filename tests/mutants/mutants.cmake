@@ -115,9 +115,9 @@ macro(tanklab_for_each_mutant)
   tanklab_mutant(3.2a scene/scene_renderer.cpp "The far plane is where the handout has it."
     [=[                   camera.far_plane);]=]
     [=[                   100.0);]=])
-  tanklab_mutant(3.2b scene/low_colours.cpp "The low tank is white."
-    [=[return LOW_COLOURS[tank::index_of(mesh)];]=]
-    [=[return mesh == tank::MeshKind::body ? Rgb{255, 255, 255} : LOW_COLOURS[tank::index_of(mesh)];]=])
+  tanklab_mutant(3.2b scene/draw_low_obj.cpp "The low tank is white."
+    [=[glColor3ub(colour.red, colour.green, colour.blue);]=]
+    [=[glColor3ub(255, 255, 255);]=])
   tanklab_mutant(3.3a lod/level_selector.cpp "The level has no memory."
     [=[    if (distance > band.outer) {]=]
     [=[    return level_at(distance, 0.5 * (band.inner + band.outer));

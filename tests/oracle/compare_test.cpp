@@ -84,6 +84,10 @@ private:
 } // namespace
 
 void oracle::tell(const std::string&) {}
+unsigned oracle::next_error()
+{
+    return 0;
+}
 
 int main(int argc, char** argv)
 {

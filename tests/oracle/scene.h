@@ -47,6 +47,9 @@ struct Registration
 /// Says something a scene found out (a query's answer, an error); both sides must say the same.
 void tell(const std::string& line);
 
+/// Returns what glGetError does, and notes that the scene is wrong on purpose.
+unsigned next_error();
+
 } // namespace oracle
 
 /// Defines a scene; its body are the calls.

@@ -25,6 +25,11 @@ test("the tree marks what a key moves and what that carries along, until it rest
     await waitForMarks(page, "moving", []);
     assert.deepEqual(await marked(page, "carried"), []);
 
+    await page.keyboard.down("Period");
+    await waitForMarks(page, "moving", ["secondary gun"]);
+    await page.keyboard.up("Period");
+    await waitForMarks(page, "moving", []);
+
     await page.keyboard.down("KeyC");
     await waitForMarks(page, "moving", ["wheel left 1 … 7", "wheel right 1 … 7"]);
     assert.deepEqual(await marked(page, "carried"), []);
@@ -64,6 +69,12 @@ test("a part of the tree shows its axis by keyboard, and hides it again", async 
     await page.waitForFunction(() => tanklab.state().axis === "off");
     await page.keyboard.press("Tab");
     await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), "secondary gun");
+    for (const axis of ["secondary_gun", "secondary_gun_pitch", "off"]) {
+      await page.keyboard.press("Enter");
+      await page.waitForFunction((wanted) => tanklab.state().axis === wanted, {}, axis);
+      await page.waitForFunction((pressed) => document.activeElement.getAttribute("aria-pressed") === pressed, {}, String(axis !== "off"));
+    }
     await page.keyboard.press("Tab");
     await page.keyboard.press("Space");
     await page.waitForFunction(() => tanklab.state().axis === "wheels");

@@ -37,7 +37,7 @@ test("every key that is held moves its values, and its opposite moves them back"
         }
       }
     }
-    for (const [one, other] of [["turret_left", "turret_right"], ["gun_up", "gun_down"], ["secondary_gun_left", "secondary_gun_right"],
+    for (const [one, other] of [["turret_left", "turret_right"], ["gun_up", "gun_down"], ["secondary_gun_left", "secondary_gun_right"], ["secondary_gun_up", "secondary_gun_down"],
       ["wheels_forward", "wheels_backward"], ["turn_left", "turn_right"], ["orbit_left", "orbit_right"], ["zoom_in", "zoom_out"]]) {
       for (const [key, sign] of directions)
         if (key.startsWith(`${one} `)) assert.equal(directions.get(key.replace(one, other)), -sign, `${one} against ${other}`);
@@ -52,6 +52,8 @@ test("the guns stop at their limits and Backspace brings the pose back", async (
     assert.equal((await holdKey(page, "KeyG", (now) => now.secondary_gun <= -120)).secondary_gun, -120);
     await holdKey(page, "KeyR", () => false, 300);
     assert.equal((await state()).gun, 20, "and go no further");
+    assert.equal((await holdKey(page, "Period", (now) => now.secondary_gun_pitch >= 60)).secondary_gun_pitch, 60);
+    assert.equal((await holdKey(page, "Comma", (now) => now.secondary_gun_pitch <= -10)).secondary_gun_pitch, -10);
     await page.keyboard.press("Backspace");
     await page.waitForFunction(() => tanklab.state().gun === 0 && tanklab.state().turret === 0);
   });

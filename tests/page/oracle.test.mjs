@@ -46,7 +46,7 @@ function firstOther(text, reference) {
     of all pixels may be off by more than `tolerance`. exceptions names scenes in which it may be some more, and
     how many; one that no scene needs any more fails, too. What scenes tell beside their pictures is to be the same
     but for those of tellsOther, which tell of the renderer itself. */
-async function compare(browser, tolerance, shareOf, exceptions, tellsOther = []) {
+async function compare(browser, tolerance, shareOf, exceptions = {}, tellsOther = []) {
   await withPage(browser, { folder: process.env.TANKLAB_ORACLE_PAGE }, async ({ page, problems }) => {
     await printRenderer(page, browser);
     await page.waitForFunction("window.drawScene");
@@ -78,16 +78,13 @@ async function compare(browser, tolerance, shareOf, exceptions, tellsOther = [])
   });
 }
 
-// WebGL refuses a blend that has the constant colour and the constant alpha as factors.
-const IN_WEBGL = { blend_equations_and_constant: 4200 };
-
 // Firefox draws lines of one pixel only: wider ones come as triangles, whose colours differ by a few of 255.
 // And it draws nothing of a thin line on the pixels just beyond the viewport.
 const IN_FIREFOX = { polygon_mode_wide_lines: 178, lines_reach_beyond_a_small_viewport: 72 };
 
-test("Chromium on Mesa draws every scene as the native build does, to the byte", () => compare("chromium-mesa", 0, () => 0, IN_WEBGL));
+test("Chromium on Mesa draws every scene as the native build does, to the byte", () => compare("chromium-mesa", 0, () => 0));
 test("Firefox draws every scene as the native build does, to the byte", () =>
-  compare("firefox", 0, () => 0, { ...IN_WEBGL, ...IN_FIREFOX }));
+  compare("firefox", 0, () => 0, IN_FIREFOX));
 
 // Where SwiftShader rasterises otherwise than Mesa, in pixels. A line lies a pixel beside Mesa's:
 const LINES = {
@@ -143,4 +140,4 @@ const OF_THE_RENDERER = [
 ];
 
 test("SwiftShader draws every scene within the design's bound, and what stands on the ground's grid within ten times it", () =>
-  compare("chromium", 8, (name) => (ON_THE_GRID.test(name) ? 0.02 : 0.002), { ...IN_WEBGL, ...LINES, ...TEXEL_EDGES, ...OUTLINES }, OF_THE_RENDERER));
+  compare("chromium", 8, (name) => (ON_THE_GRID.test(name) ? 0.02 : 0.002), { ...LINES, ...TEXEL_EDGES, ...OUTLINES }, OF_THE_RENDERER));

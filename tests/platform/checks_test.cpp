@@ -108,6 +108,22 @@ TEST_F(Checks, OfJointsFindAPivotBesideTheTrunnion)
     EXPECT_FALSE(run("1.2").passed);
 }
 
+TEST_F(Checks, OfJointsFindASecondaryGunThatPitchesAboutAnotherAxisOrPivotOrNotAtAll)
+{
+    std::optional<tank::Turn>& pitch = drawn_assets.layout[tank::Part::secondary_gun].second;
+    const tank::Turn right = *pitch;
+    pitch->axis = -right.axis;
+    EXPECT_FALSE(run("1.2").passed);
+    *pitch = right;
+    pitch->pivot.z -= 0.3f;
+    drawn_assets.layout[tank::Part::secondary_gun].mesh_offset.z += 0.3f; // at rest nothing shows
+    EXPECT_FALSE(run("1.2").passed);
+    drawn_assets.layout = assets.layout;
+    drawn_assets.layout[tank::Part::secondary_gun].mesh_offset += right.pivot;
+    pitch.reset();
+    EXPECT_FALSE(run("1.2").passed);
+}
+
 TEST_F(Checks, OfListsFindAWheelDrawnAsAnotherMesh)
 {
     drawn_assets.layout[tank::Part::wheel_left_1].mesh = tank::MeshKind::secondary_gun;

@@ -362,7 +362,7 @@ TEST_F(SceneRenderer, DrawsTheLevelThatTheFrameSays)
         return std::count_if(calls.begin(), calls.end(), [&](const ListCall& call) {
             const auto body = tank::MeshKind::body;
             const scene::TankLists& lists = renderer.tank_lists();
-            return call.list == (low ? lists.low_list(body) : lists.list(body));
+            return low ? lists.low_mesh_of(call.list) == body : call.list == lists.list(body);
         });
     };
     for (const auto& [detail, high, low] :
@@ -431,7 +431,7 @@ TEST(SceneRendererLoading, PutsAnotherTankInThePlaceOfTheFirstAndDeletesWhatThat
     scene::SceneRenderer renderer;
     ASSERT_EQ(renderer.load(first), "");
     const unsigned old_list = renderer.tank_lists().list(tank::MeshKind::body);
-    const unsigned old_low_list = renderer.tank_lists().low_list(tank::MeshKind::body);
+    const unsigned old_low_list = renderer.tank_lists().low_list(tank::MeshKind::body, 0.0);
     const unsigned old_shape_list = renderer.tank_lists().shape_list(tank::MeshKind::body);
     const auto before = static_cast<std::ptrdiff_t>(recording_gl::calls().size());
     ASSERT_EQ(renderer.load_tank(second), "");

@@ -127,26 +127,35 @@ TEST(TankLists, OfABodyWithoutLinksAreNoMore)
     EXPECT_EQ(named(recording_gl::calls(), "glDeleteLists").size(), 2u);
 }
 
-TEST(TankLists, OfTheLowTankAreFiveOfTheirOwn)
+TEST(TankLists, OfTheLowTankAreOthersForEachMeshAndWayItStandsToTheSun)
 {
     recording_gl::reset();
     scene::TankLists lists;
     ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
-    EXPECT_EQ(lists.low_list(MeshKind::body), 0u);
+    EXPECT_EQ(lists.low_list(MeshKind::body, 0.0), 0u);
     ASSERT_TRUE(lists.load_low_detail_tank_objs(scene_test::assets().low));
     std::set<unsigned> names;
-    for (std::size_t mesh = 0; mesh < tank::MESH_KIND_COUNT; ++mesh) {
-        names.insert(lists.list(static_cast<MeshKind>(mesh)));
-        const unsigned low = lists.low_list(static_cast<MeshKind>(mesh));
-        names.insert(low);
+    for (std::size_t i = 0; i < tank::MESH_KIND_COUNT; ++i) {
+        const auto mesh = static_cast<MeshKind>(i);
+        EXPECT_EQ(lists.low_mesh_of(lists.list(mesh)), std::nullopt);
+        for (int yaw = -360; yaw <= 720; yaw += 5) {
+            const double radians = yaw * std::numbers::pi / 180.0;
+            const unsigned low = lists.low_list(mesh, radians);
+            names.insert(low);
+            EXPECT_EQ(lists.low_mesh_of(low), mesh);
+            EXPECT_EQ(lists.low_list(mesh, radians + 2.0 * std::numbers::pi), low) << yaw;
+            EXPECT_NE(lists.low_list(mesh, radians + 0.5), low) << yaw;
+        }
+        const unsigned low = lists.low_list(mesh, 0.1);
         std::size_t vertices = 0;
         for (const Call& call : named(recording_gl::calls(), "glVertex3f")) {
             vertices += call.compiled_into == low ? 1u : 0u;
         }
         EXPECT_EQ(vertices, 3u); // the fixture's low meshes have one face
     }
-    EXPECT_EQ(names.size(), 10u);
+    EXPECT_EQ(names.size(), 5u * 24u);
     EXPECT_EQ(names.count(0), 0u);
+    EXPECT_EQ(lists.low_mesh_of(0), std::nullopt);
 }
 
 TEST(TankLists, SayWhenThereAreNoNamesLeft)

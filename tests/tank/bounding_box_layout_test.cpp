@@ -78,6 +78,31 @@ TEST(BoundingBoxLayoutTest, TakesAUsualHeightWhereThereIsNoRoof)
     EXPECT_NEAR(layout[Part::secondary_gun].pivot.y, 0.2f * 4.478f, 1e-4f);
 }
 
+TEST(BoundingBoxLayoutTest, PitchesTheSecondaryGunOnTheRoofAboutItsRearEndAtHalfItsHeight)
+{
+    const TurretRoof roof = [](float, float) { return std::optional(0.95f); };
+    const MeshBoxes boxes = default_boxes();
+    const Layout layout = bounding_box_layout(boxes, roof);
+    const Box& box = box_of(boxes, MeshKind::secondary_gun);
+    const glm::vec3 rear{middle_of(box).x, middle_of(box).y, box.minimum.z};
+    const float roof_y = 0.95f + layout[Part::turret].pivot.y + layout[Part::turret].mesh_offset.y;
+    for (double pitch : {0.0, 0.5, joint_limits(Joint::secondary_gun_pitch).maximum}) {
+        JointAngles angles;
+        angles[Joint::secondary_gun] = 0.7;
+        angles[Joint::secondary_gun_pitch] = pitch;
+        const glm::mat4 mesh = part_matrices(layout, {}, angles).mesh(Part::secondary_gun);
+        const auto place = [&](const glm::vec3& point) { return glm::vec3(mesh * glm::vec4(point, 1.0f)); };
+        const glm::vec3& pivot = layout[Part::secondary_gun].pivot;
+        EXPECT_NEAR(place(rear).x, pivot.x, 1e-5f) << pitch;
+        EXPECT_NEAR(place(rear).y, roof_y + 0.5f * (box.maximum.y - box.minimum.y), 1e-5f) << pitch;
+        for (float y : {box.minimum.y, box.maximum.y}) {
+            for (float z : {box.minimum.z, box.maximum.z}) {
+                EXPECT_GE(place({rear.x, y, z}).y, roof_y - 1e-5f) << pitch;
+            }
+        }
+    }
+}
+
 TEST(BoundingBoxLayoutTest, GivesNumbersForBoxesWithoutSize)
 {
     const Layout layout = bounding_box_layout(MeshBoxes{}, [](float, float) { return std::nullopt; });
@@ -111,6 +136,11 @@ TEST(LayoutTest, ScaledIsAsMuchLargerAndTurnsTheSame)
         EXPECT_EQ(doubled[part].mesh_offset, 2.0f * layout[part].mesh_offset);
         EXPECT_EQ(doubled[part].axis, layout[part].axis);
         EXPECT_EQ(doubled[part].mesh_yaw, layout[part].mesh_yaw);
+        ASSERT_EQ(doubled[part].second.has_value(), layout[part].second.has_value());
+        if (layout[part].second) {
+            EXPECT_EQ(doubled[part].second->pivot, 2.0f * layout[part].second->pivot);
+            EXPECT_EQ(doubled[part].second->axis, layout[part].second->axis);
+        }
     }
 }
 

@@ -10,19 +10,24 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr Joint ALL_JOINTS[] = {Joint::heading,       Joint::turret,      Joint::main_gun,
-                                Joint::secondary_gun, Joint::wheels_left, Joint::wheels_right};
+constexpr Joint ALL_JOINTS[] = {
+    Joint::heading,     Joint::turret,      Joint::main_gun, Joint::secondary_gun, Joint::secondary_gun_pitch,
+    Joint::wheels_left, Joint::wheels_right};
+static_assert(std::size(ALL_JOINTS) == JOINT_COUNT);
 
 TEST(JointTest, OnlyTheGunsStop)
 {
     for (Joint joint : ALL_JOINTS) {
-        const bool is_gun = joint == Joint::main_gun || joint == Joint::secondary_gun;
+        const bool is_gun =
+            joint == Joint::main_gun || joint == Joint::secondary_gun || joint == Joint::secondary_gun_pitch;
         EXPECT_EQ(joint_limits(joint).wraps, !is_gun);
     }
     EXPECT_DOUBLE_EQ(joint_limits(Joint::main_gun).minimum, -9.0 * pi / 180.0);
     EXPECT_DOUBLE_EQ(joint_limits(Joint::main_gun).maximum, 20.0 * pi / 180.0);
     EXPECT_DOUBLE_EQ(joint_limits(Joint::secondary_gun).minimum, -120.0 * pi / 180.0);
     EXPECT_DOUBLE_EQ(joint_limits(Joint::secondary_gun).maximum, 120.0 * pi / 180.0);
+    EXPECT_DOUBLE_EQ(joint_limits(Joint::secondary_gun_pitch).minimum, -10.0 * pi / 180.0);
+    EXPECT_DOUBLE_EQ(joint_limits(Joint::secondary_gun_pitch).maximum, 60.0 * pi / 180.0);
 }
 
 TEST(JointTest, GunsAreClampedToTheirLimitsExactly)

@@ -82,10 +82,24 @@ TEST(LayoutTest, AxesHaveUnitLengthAlongOneCoordinate)
 {
     const Layout layout = default_layout();
     for (Part part : ALL_PARTS) {
-        const glm::vec3 axis = layout[part].axis;
-        EXPECT_EQ(std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z), 1.0f) << part_name(part);
-        EXPECT_EQ(glm::dot(axis, axis), 1.0f);
+        std::vector<glm::vec3> axes = {layout[part].axis};
+        if (layout[part].second) {
+            axes.push_back(layout[part].second->axis);
+        }
+        for (const glm::vec3& axis : axes) {
+            EXPECT_EQ(std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z), 1.0f) << part_name(part);
+            EXPECT_EQ(glm::dot(axis, axis), 1.0f);
+        }
     }
+}
+
+TEST(LayoutTest, OnlyTheSecondaryGunHasASecondJoint)
+{
+    const Layout layout = default_layout();
+    for (Part part : ALL_PARTS) {
+        EXPECT_EQ(layout[part].second.has_value(), part == Part::secondary_gun) << part_name(part);
+    }
+    EXPECT_EQ(layout[Part::secondary_gun].second->joint, Joint::secondary_gun_pitch);
 }
 
 } // namespace

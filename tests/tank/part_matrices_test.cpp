@@ -45,7 +45,7 @@ TEST(PartMatricesTest, AtRestPartsStandAtTheSumOfTheirPivots)
     expect_near(to_world(AT_REST.joint(Part::body), {}), {0, 0, 0});
     expect_near(to_world(AT_REST.joint(Part::turret), {}), {0, 1.60f, 0.25f});
     expect_near(to_world(AT_REST.joint(Part::main_gun), {}), {0, 2.02f, 1.50f});
-    expect_near(to_world(AT_REST.joint(Part::secondary_gun), {}), {-0.55f, 2.55f, -0.10f});
+    expect_near(to_world(AT_REST.joint(Part::secondary_gun), {}), {-0.55f, 2.82f, 0.21f});
     expect_near(to_world(AT_REST.joint(Part::wheel_left_3), {}), {1.38f, 0.44f, 0.80f});
     expect_near(to_world(AT_REST.joint(Part::wheel_right_7), {}), {-1.38f, 0.44f, -2.40f});
 }
@@ -69,7 +69,7 @@ TEST(PartMatricesTest, TurretBy90DegreesCarriesBothGunsToTheLeftAndNoWheel)
     // About (0, *, 0.25): z ahead of the pivot becomes x, x becomes -z.
     expect_near(to_world(turned.joint(Part::main_gun), {}), {1.25f, 2.02f, 0.25f});
     expect_near(to_world(turned.mesh(Part::main_gun), {0, 0.42f, 5.0f}), {5.0f, 2.02f, 0.25f});
-    expect_near(to_world(turned.joint(Part::secondary_gun), {}), {-0.35f, 2.55f, 0.80f});
+    expect_near(to_world(turned.joint(Part::secondary_gun), {}), {-0.04f, 2.82f, 0.80f});
     for (Part part : ALL_PARTS) {
         if (is_wheel(part) || part == Part::body) {
             EXPECT_EQ(turned.mesh(part), AT_REST.mesh(part)) << part_name(part);
@@ -119,6 +119,42 @@ TEST(PartMatricesTest, TheSecondaryGunTurnsLeftAboutItsOwnAxis)
     const PartMatrices turned = part_matrices(LAYOUT, {}, with(Joint::secondary_gun, pi / 2.0));
     expect_near(to_world(turned.mesh(Part::secondary_gun), {0, 0, 1}), {-0.55f + 1.25f, 2.55f, -0.10f});
     EXPECT_EQ(turned.mesh(Part::main_gun), AT_REST.mesh(Part::main_gun));
+}
+
+TEST(PartMatricesTest, TheSecondaryGunRisesAboutItsTrunnionAndNothingElseDoes)
+{
+    const PartMatrices raised = part_matrices(LAYOUT, {}, with(Joint::secondary_gun_pitch, 0.5));
+    // The mesh's origin is below and behind its trunnion: points on that one's axis stay, the muzzle goes up.
+    for (float x : {-0.1f, 0.0f, 0.1f}) {
+        const glm::vec3 on_axis{x, 0.27f, 0.06f};
+        expect_near(to_world(raised.mesh(Part::secondary_gun), on_axis),
+                    to_world(AT_REST.mesh(Part::secondary_gun), on_axis));
+    }
+    const auto up = static_cast<float>(1.0 * std::sin(0.5));
+    const auto ahead = static_cast<float>(1.0 * std::cos(0.5));
+    expect_near(to_world(raised.mesh(Part::secondary_gun), {0.0f, 0.27f, 1.06f}),
+                {-0.55f, 2.82f + up, 0.21f + ahead});
+    for (Part part : ALL_PARTS) {
+        if (part != Part::secondary_gun) {
+            EXPECT_EQ(raised.mesh(part), AT_REST.mesh(part)) << part_name(part);
+        }
+    }
+}
+
+TEST(PartMatricesTest, TheSecondaryGunPitchesWithinItsYawAndNotItYawsWithinItsPitch)
+{
+    JointAngles angles = with(Joint::secondary_gun, pi / 2.0);
+    angles[Joint::secondary_gun_pitch] = pi / 6.0;
+    const PartMatrices posed = part_matrices(LAYOUT, {}, angles);
+    // A metre before the trunnion: turned to the left first, and up from there; no more ahead than at rest.
+    const auto up = static_cast<float>(std::sin(pi / 6.0));
+    const auto left = static_cast<float>(std::cos(pi / 6.0));
+    expect_near(to_world(posed.mesh(Part::secondary_gun), {0.0f, 0.27f, 1.06f}),
+                {-0.55f + 0.31f + left, 2.82f + up, -0.10f});
+    // The trunnion's axis has gone round with the yaw and is level, whatever the pitch.
+    const glm::vec3 axis = to_world(posed.mesh(Part::secondary_gun), {1.0f, 0.27f, 0.06f}) -
+                           to_world(posed.mesh(Part::secondary_gun), {0.0f, 0.27f, 0.06f});
+    expect_near(axis, {0.0f, 0.0f, -1.0f});
 }
 
 TEST(PartMatricesTest, WheelsRollForwardOnBothSidesAndEachSideAlone)

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace legacygl {
 
@@ -159,6 +160,7 @@ public:
     virtual bool read_stencils(int x, int y, int width, int height, std::span<std::uint8_t> values) = 0;
     virtual void flush(bool wait) = 0;
 
+    /// Follows target_width and target_height, which have changed.
     virtual void resize(int width, int height) = 0;
     /// Copies the back into the front and shows the front.
     virtual void present() = 0;
@@ -182,8 +184,16 @@ template <class Id, void (Backend::*destroy)(Id)> class BackendObject
 {
 public:
     BackendObject() = default;
-    BackendObject(const BackendObject&) = delete;
-    BackendObject& operator=(const BackendObject&) = delete;
+    BackendObject(BackendObject&& other) noexcept
+        : backend_(other.backend_), id_(std::exchange(other.id_, 0)), generation_(other.generation_)
+    {}
+    BackendObject& operator=(BackendObject&& other) noexcept
+    {
+        std::swap(backend_, other.backend_);
+        std::swap(id_, other.id_);
+        std::swap(generation_, other.generation_);
+        return *this;
+    }
     ~BackendObject() { reset(); }
 
     /// Whether the object is there; if not, its maker makes it again.

@@ -42,7 +42,7 @@ class Es3Backend final : public Backend
 {
 public:
     Es3Backend(const Es3Functions& functions, int width, int height, LegacyGLTarget target)
-        : gl_(functions), target_(gl_, target, width, height)
+        : gl_(functions), target_(gl_, covering_, target, width, height)
     {
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum_texture_size);
         std::array<GLint, 2> viewport{};
@@ -57,6 +57,7 @@ public:
         for (const Program& program : programs_)
             gl_.DeleteProgram(program.name);
         target_.destroy();
+        covering_.destroy();
     }
 
     ProgramId create_program(const ProgramText& text) override
@@ -225,6 +226,7 @@ public:
         geometries_.forget();
         batch_.begin(1);
         target_.forget();
+        covering_.forget();
         lost_ = true;
     }
 
@@ -365,8 +367,9 @@ private:
     }
 
     const Es3Functions gl_;
+    Es3Covering covering_{gl_};
     Es3Target target_;
-    Es3DepthReader depth_reader_{gl_};
+    Es3DepthReader depth_reader_{gl_, covering_};
     Es3FixedState fixed_{gl_, target_};
     Es3Textures textures_{gl_, counters};
     Es3Geometries geometries_{gl_, counters};

@@ -1,22 +1,11 @@
 #include "legacygl/backend/es3_depth_reader.h"
 
-#include "legacygl/backend/es3_shader.h"
-
 #include <algorithm>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace legacygl {
 namespace {
-
-constexpr const char* WHOLE_TARGET_VERTEX = R"(#version 300 es
-void main()
-{
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
-    gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
 
 /// The depth's 24 bits, the highest eight in red. What is sampled is steps / (2^24 - 1) and some drivers
 /// round it up on the way: excess is 1, or 2 for those (see excess_of_depths).
@@ -114,26 +103,13 @@ struct Es3DepthReader::Copy
     GLsizei width, height;
 };
 
-/// Draws over all of the copy.
-void Es3DepthReader::draw(GLuint program)
-{
-    GLuint vertex_array = 0;
-    gl_.GenVertexArrays(1, &vertex_array);
-    gl_.BindVertexArray(vertex_array);
-    gl_.UseProgram(program);
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_.DeleteVertexArrays(1, &vertex_array);
-}
-
 /// Draws the copy's depths into its colours and reads them.
-std::vector<std::uint32_t> Es3DepthReader::decode(const Copy& copy, GLuint program, int excess,
-                                                  const TargetRectangle& from)
+std::vector<std::uint32_t> Es3DepthReader::decode(const Copy& copy, int excess, const TargetRectangle& from)
 {
     copy.attach_depths(0); // They may not be read and attached.
     gl_.BindTexture(GL_TEXTURE_2D, copy.textures[1]);
-    gl_.UseProgram(program);
-    gl_.Uniform1i(gl_.GetUniformLocation(program, "excess"), excess);
-    draw(program);
+    gl_.Uniform1i(gl_.GetUniformLocation(covering_.use(DEPTH_FRAGMENT), "excess"), excess);
+    covering_.draw();
     copy.attach_depths(copy.textures[1]);
     const std::vector<std::uint8_t> rgba = copy.read(from);
     std::vector<std::uint32_t> depths(rgba.size() / 4);
@@ -143,13 +119,13 @@ std::vector<std::uint32_t> Es3DepthReader::decode(const Copy& copy, GLuint progr
 }
 
 /// Finds how the driver makes a number of 24 bits, from a depth that is one of them and that shows it.
-int Es3DepthReader::excess_of_depths(const Copy& copy, GLuint program, const TargetRectangle& from)
+int Es3DepthReader::excess_of_depths(const Copy& copy, const TargetRectangle& from)
 {
     constexpr std::uint32_t STEPS = 13421772; // 0.8 * (2^24 - 1)
     gl_.ClearDepthf(0.8f);
     gl_.Clear(GL_DEPTH_BUFFER_BIT);
     const TargetRectangle one = {from.target_width, from.target_height, 0, 0, 1, 1};
-    return decode(copy, program, 1, one).front() == STEPS ? 1 : 2;
+    return decode(copy, 1, one).front() == STEPS ? 1 : 2;
 }
 
 bool Es3DepthReader::read_depths(const TargetRectangle& from, std::span<std::uint32_t> depths)
@@ -159,17 +135,13 @@ bool Es3DepthReader::read_depths(const TargetRectangle& from, std::span<std::uin
     gl_.Disable(GL_STENCIL_TEST);
     GLint source = 0;
     gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &source);
-    std::string message;
-    const GLuint program = link_program(gl_, WHOLE_TARGET_VERTEX, DEPTH_FRAGMENT, message);
-    const int excess = excess_of_depths(copy, program, from);
+    const int excess = excess_of_depths(copy, from);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
-    const bool taken = copy.take();
-    if (taken) {
-        const std::vector<std::uint32_t> decoded = decode(copy, program, excess, from);
-        std::copy(decoded.begin(), decoded.end(), depths.begin());
-    }
-    gl_.DeleteProgram(program);
-    return taken;
+    if (!copy.take())
+        return false;
+    const std::vector<std::uint32_t> decoded = decode(copy, excess, from);
+    std::copy(decoded.begin(), decoded.end(), depths.begin());
+    return true;
 }
 
 bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::uint8_t> values)
@@ -179,8 +151,7 @@ bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::u
         return false;
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
-    std::string message;
-    const GLuint program = link_program(gl_, WHOLE_TARGET_VERTEX, WHITE_FRAGMENT, message);
+    covering_.use(WHITE_FRAGMENT);
     gl_.Enable(GL_STENCIL_TEST);
     gl_.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl_.Enable(GL_BLEND);
@@ -189,9 +160,8 @@ bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::u
     for (int bit = 1; bit < 256; bit *= 2) { // Each bit that is set adds itself.
         gl_.StencilFunc(GL_EQUAL, bit, static_cast<GLuint>(bit));
         gl_.BlendColor(static_cast<float>(bit) / 255.0f, 0, 0, 0);
-        draw(program);
+        covering_.draw();
     }
-    gl_.DeleteProgram(program);
     const std::vector<std::uint8_t> rgba = copy.read(from);
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = rgba[4 * i];

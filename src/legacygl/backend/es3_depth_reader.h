@@ -1,5 +1,6 @@
 #pragma once
 
+#include "legacygl/backend/es3_covering.h"
 #include "legacygl/backend/es3_functions.h"
 
 #include <cstdint>
@@ -22,7 +23,7 @@ struct TargetRectangle
 class Es3DepthReader
 {
 public:
-    explicit Es3DepthReader(const Es3Functions& gl) : gl_(gl) {}
+    Es3DepthReader(const Es3Functions& gl, Es3Covering& covering) : gl_(gl), covering_(covering) {}
 
     /// Reads depths in steps of 1 / (2^24 - 1), the bottom row first.
     bool read_depths(const TargetRectangle& from, std::span<std::uint32_t> depths);
@@ -31,12 +32,11 @@ public:
 
 private:
     struct Copy;
-    void draw(GLuint program);
-    std::vector<std::uint32_t> decode(const Copy& copy, GLuint program, int excess,
-                                      const TargetRectangle& from);
-    int excess_of_depths(const Copy& copy, GLuint program, const TargetRectangle& from);
+    std::vector<std::uint32_t> decode(const Copy& copy, int excess, const TargetRectangle& from);
+    int excess_of_depths(const Copy& copy, const TargetRectangle& from);
 
     const Es3Functions& gl_;
+    Es3Covering& covering_;
 };
 
 } // namespace legacygl

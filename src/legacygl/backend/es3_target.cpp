@@ -1,19 +1,9 @@
 #include "legacygl/backend/es3_target.h"
 
-#include "legacygl/backend/es3_shader.h"
-
 #include <algorithm>
 
 namespace legacygl {
 namespace {
-
-constexpr const char* COPY_VERTEX = R"(#version 300 es
-void main()
-{
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
-    gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
 
 constexpr const char* COPY_FRAGMENT = R"(#version 300 es
 precision highp float;
@@ -28,8 +18,9 @@ void main()
 
 } // namespace
 
-Es3Target::Es3Target(const Es3Functions& gl, LegacyGLTarget kind, int width, int height)
-    : gl_(gl), kind_(kind), width_(width), height_(height)
+Es3Target::Es3Target(const Es3Functions& gl, Es3Covering& covering, LegacyGLTarget kind, int width,
+                     int height)
+    : gl_(gl), covering_(covering), kind_(kind), width_(width), height_(height)
 {
     GLint given = 0;
     gl_.GetIntegerv(GL_FRAMEBUFFER_BINDING, &given);
@@ -158,11 +149,6 @@ void Es3Target::show_front()
     // Without a window (EGL's surfaceless platform) there is nothing to copy into.
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return;
-    if (copy_program_ == 0) {
-        std::string message;
-        copy_program_ = link_program(gl_, COPY_VERTEX, COPY_FRAGMENT, message);
-        gl_.GenVertexArrays(1, &copy_vertex_array_);
-    }
     // Drawn, not blitted: ES does not blit into the antialiased framebuffer a window may have.
     gl_.Disable(GL_BLEND);
     gl_.Disable(GL_DEPTH_TEST);
@@ -171,25 +157,20 @@ void Es3Target::show_front()
     gl_.Disable(GL_STENCIL_TEST);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl_.Viewport(0, 0, width_, height_);
-    gl_.UseProgram(copy_program_);
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, buffers_.colors[doubled() ? front : back]);
-    gl_.BindVertexArray(copy_vertex_array_);
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    covering_.use(COPY_FRAGMENT);
+    covering_.draw();
 }
 
 void Es3Target::destroy()
 {
     delete_buffers(buffers_);
-    gl_.DeleteProgram(copy_program_);
-    gl_.DeleteVertexArrays(1, &copy_vertex_array_);
-    forget();
 }
 
 void Es3Target::forget()
 {
     buffers_ = {};
-    copy_program_ = copy_vertex_array_ = 0;
 }
 
 } // namespace legacygl

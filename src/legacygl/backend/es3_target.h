@@ -1,5 +1,6 @@
 #pragma once
 
+#include "legacygl/backend/es3_covering.h"
 #include "legacygl/backend/es3_functions.h"
 
 #include <legacygl/legacygl.h>
@@ -13,7 +14,7 @@ class Es3Target
 {
 public:
     /// Takes the framebuffer bound now as the given one. width and height are at least 1.
-    Es3Target(const Es3Functions& gl, LegacyGLTarget kind, int width, int height);
+    Es3Target(const Es3Functions& gl, Es3Covering& covering, LegacyGLTarget kind, int width, int height);
 
     /// Makes the target's objects again; their contents are cleared. Call after a lost context.
     void restore();
@@ -57,13 +58,12 @@ private:
     void copy(const Buffers& from, const Buffers& to, Which which, int width, int height, GLbitfield what);
 
     const Es3Functions& gl_;
+    Es3Covering& covering_;
     LegacyGLTarget kind_;
     int width_;
     int height_;
     GLuint given_ = 0;
     Buffers buffers_;
-    GLuint copy_program_ = 0;
-    GLuint copy_vertex_array_ = 0;
 };
 
 } // namespace legacygl

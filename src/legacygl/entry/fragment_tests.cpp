@@ -67,7 +67,7 @@ void set_blend_factors(Context& gl, GLenum source_rgb, GLenum destination_rgb, G
     blend.destination_rgb = destination_rgb;
     blend.source_alpha = source_alpha;
     blend.destination_alpha = destination_alpha;
-    gl.renderer.changed(Renderer::pipeline);
+    gl.renderer.changed(Renderer::pipeline | Renderer::fragments);
 }
 
 bool is_blend_equation(GLenum mode)
@@ -82,7 +82,7 @@ void set_blend_equations(Context& gl, GLenum rgb, GLenum alpha)
         return gl.set_error(GL_INVALID_ENUM);
     gl.state.fragment.blend.equation = rgb;
     gl.state.fragment.blend.equation_alpha = alpha;
-    gl.renderer.changed(Renderer::pipeline);
+    gl.renderer.changed(Renderer::pipeline | Renderer::fragments);
 }
 
 } // namespace
@@ -119,7 +119,7 @@ void glBlendColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha)
         [](Context& gl, float r, float g, float b, float a) {
             const auto clamp = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
             gl.state.fragment.blend.color = {clamp(r), clamp(g), clamp(b), clamp(a)};
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(Renderer::pipeline | Renderer::fragments);
         },
         red, green, blue, alpha);
 }

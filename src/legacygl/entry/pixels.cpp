@@ -89,9 +89,10 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
             if (w < 0 || h < 0)
                 return gl.set_error(GL_INVALID_VALUE);
             const bool colors = f != GL_DEPTH_COMPONENT && f != GL_STENCIL_INDEX;
-            // Depths and stencil values are one number a pixel, as a luminance is.
+            // Depths and stencil values are one number a pixel, as a luminance is; the latter also one bit.
+            const bool bits = f == GL_STENCIL_INDEX && t == GL_BITMAP;
             if (const GLenum error = format_type_error(colors ? f : GLenum{GL_LUMINANCE}, t);
-                error != GL_NO_ERROR)
+                error != GL_NO_ERROR && !bits)
                 return gl.set_error(error);
             const PixelRectangle r = clip_to_frame(gl, left, bottom, w, h);
             if (r.empty())
@@ -104,7 +105,7 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
             if (colors)
                 pack_pixels(store, r.width, r.height, f, t, read_frame(gl, r), ToLuminance::sum, out);
             else if (!read_depths_or_stencils(gl, r, store, f, t, out))
-                gl.set_error(GL_INVALID_OPERATION);
+                gl.refuse_unsupported();
         },
         x, y, width, height, format, type);
 }

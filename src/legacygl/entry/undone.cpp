@@ -11,7 +11,7 @@ void legacygl::refuse_undone(bool& said, const char* what)
         std::fprintf(stderr, "legacygl: %s is not implemented and sets GL_INVALID_OPERATION\n", what);
     said = true;
     if (current_context)
-        current_context->set_error(GL_INVALID_OPERATION);
+        current_context->refuse_unsupported();
 }
 
 extern "C" {

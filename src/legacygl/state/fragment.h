@@ -33,6 +33,19 @@ struct BlendState
     GLenum equation_alpha = GL_FUNC_ADD;
     glm::vec4 color{0, 0, 0, 0};
     bool operator==(const BlendState&) const = default;
+    /// Whether colours are weighed by the constant colour and by the constant alpha at once. WebGL refuses
+    /// that, so that the source's weight is the shader's to give.
+    bool weighs_by_both_constants() const
+    {
+        const auto by_color = [](GLenum f) {
+            return f == GL_CONSTANT_COLOR || f == GL_ONE_MINUS_CONSTANT_COLOR;
+        };
+        const auto by_alpha = [](GLenum f) {
+            return f == GL_CONSTANT_ALPHA || f == GL_ONE_MINUS_CONSTANT_ALPHA;
+        };
+        return enabled && ((by_color(source_rgb) && by_alpha(destination_rgb)) ||
+                           (by_alpha(source_rgb) && by_color(destination_rgb)));
+    }
 };
 
 /// OpenGL 1.5, table 6.10.

@@ -117,7 +117,9 @@ SCENE(arrays_in_buffer_objects)
 SCENE(array_errors)
 {
     two_dimensions();
-    const auto error = [](const char* what) { tell(std::string(what) + " " + std::to_string(glGetError())); };
+    const auto error = [](const char* what) {
+        tell(std::string(what) + " " + std::to_string(oracle::next_error()));
+    };
     glVertexPointer(5, GL_FLOAT, 0, positions);
     error("size");
     glVertexPointer(3, GL_UNSIGNED_BYTE, 0, positions);

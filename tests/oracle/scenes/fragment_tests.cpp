@@ -139,6 +139,38 @@ SCENE(blend_equations_and_constant)
     rectangle(0, 9, 16, 1);
 }
 
+SCENE(blend_by_constant_color_and_constant_alpha)
+{
+    two_dimensions();
+    glEnable(GL_BLEND);
+    const GLenum colors[] = {GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR};
+    const GLenum alphas[] = {GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA};
+    for (int i = 0; i < 8; ++i) {
+        const GLenum color = colors[i % 2], alpha = alphas[i / 2 % 2];
+        const float x = 2 * static_cast<float>(i);
+        glBlendFunc(GL_ONE, GL_ZERO);
+        glBegin(GL_QUADS);
+        glColor4f(0, 0.2f, 1, 0.1f);
+        glVertex2f(x, 0);
+        glVertex2f(x + 1.8f, 0);
+        glColor4f(1, 0.7f, 0.3f, 0.9f);
+        glVertex2f(x + 1.8f, 12);
+        glVertex2f(x, 12);
+        glEnd();
+        glBlendColor(0.3f, 0.6f, 0.1f * static_cast<float>(i), 0.45f);
+        glBlendFuncSeparate(i < 4 ? color : alpha, i < 4 ? alpha : color, GL_CONSTANT_COLOR, GL_SRC_ALPHA);
+        glBegin(GL_QUADS);
+        glColor4f(0.9f, 0.1f, 0.5f, 0.2f);
+        glVertex2f(x, 1);
+        glColor4f(0.1f, 1, 0.8f, 0.7f);
+        glVertex2f(x + 1.8f, 1);
+        glVertex2f(x + 1.8f, 11);
+        glColor4f(0.6f, 0.4f, 0, 1);
+        glVertex2f(x, 11);
+        glEnd();
+    }
+}
+
 SCENE(polygon_offset_lifts_coplanar_faces)
 {
     three_dimensions();

@@ -122,7 +122,9 @@ SCENE(viewports_and_nested_matrices)
 SCENE(matrix_stacks_and_their_errors)
 {
     two_dimensions();
-    const auto error = [](const char* what) { tell(std::string(what) + " " + std::to_string(glGetError())); };
+    const auto error = [](const char* what) {
+        tell(std::string(what) + " " + std::to_string(oracle::next_error()));
+    };
     glPopMatrix();
     error("pop of the last");
     for (int i = 0; i < 31; ++i)

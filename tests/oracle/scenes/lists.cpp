@@ -162,7 +162,9 @@ SCENE(list_of_state_matrices_and_materials)
 SCENE(lists_and_their_errors)
 {
     two_dimensions();
-    const auto error = [](const char* what) { tell(std::string(what) + " " + std::to_string(glGetError())); };
+    const auto error = [](const char* what) {
+        tell(std::string(what) + " " + std::to_string(oracle::next_error()));
+    };
     glNewList(0, GL_COMPILE);
     error("name 0");
     glNewList(1, GL_LINES);
@@ -253,9 +255,9 @@ SCENE(call_lists_with_every_type)
     glGetIntegerv(GL_LIST_BASE, &answer);
     tell(std::to_string(answer - static_cast<GLint>(base)));
     glCallLists(1, GL_DOUBLE, floats);
-    tell(std::to_string(glGetError()));
+    tell(std::to_string(oracle::next_error()));
     glCallLists(-1, GL_BYTE, bytes);
-    tell(std::to_string(glGetError()));
+    tell(std::to_string(oracle::next_error()));
 }
 
 SCENE(rectangles)

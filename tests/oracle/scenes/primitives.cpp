@@ -172,9 +172,9 @@ SCENE(begin_inside_begin_is_an_error)
     glEnable(GL_LIGHTING);
     glVertex2f(1, 10);
     glEnd();
-    tell("error " + std::to_string(glGetError()));
+    tell("error " + std::to_string(oracle::next_error()));
     glEnd();
-    tell("error " + std::to_string(glGetError()));
+    tell("error " + std::to_string(oracle::next_error()));
     glBegin(1234);
-    tell("error " + std::to_string(glGetError()));
+    tell("error " + std::to_string(oracle::next_error()));
 }

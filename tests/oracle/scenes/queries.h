@@ -23,14 +23,14 @@ inline void tell_state(const char* name, GLenum which, int count)
     for (int i = 0; i < count; ++i)
         line += (i ? " | " : ": ") + std::to_string(booleans[i]) + " " + std::to_string(integers[i]) + " " +
                 std::to_string(floats[i]) + " " + std::to_string(doubles[i]);
-    for (GLenum code; (code = glGetError()) != GL_NO_ERROR;)
+    for (unsigned code; (code = next_error()) != GL_NO_ERROR;)
         line += " error " + std::to_string(code);
     tell(line);
 }
 
 inline void tell_error(const std::string& what)
 {
-    tell(what + ": error " + std::to_string(glGetError()));
+    tell(what + ": error " + std::to_string(next_error()));
 }
 
 } // namespace oracle

@@ -137,17 +137,19 @@ const LegacyGLCall* legacygl_capture_end(LegacyGLContext* context, size_t* count
    <GL/gl.h> declares of volumes (glTexImage3D …), of compressed images (glCompressedTexImage2D …) and of the
    imaging subset (glColorTable, glConvolutionFilter2D, glHistogram …).
 
+   Errors are found as OpenGL prescribes. A library built with the CMake option LEGACYGL_UNCHECKED looks for
+   none, as a context of GL_KHR_no_error: what a wrong call does is then undefined.
+
    Differences: GL_POLYGON_SMOOTH has no effect, as in Mesa's software renderer; smooth lines and points have
    a coverage that falls over their last pixel, not an exact one. Edge flags count for all polygons, strips
    and fans too, as in Mesa. A logic op other than GL_COPY reads the target back; what is drawn into front and
-   back at once, it combines with the back. On the web, a blend whose factors are both the constant colour and
-   the constant alpha is refused by WebGL. Textures are stored with eight bits a channel, or fewer where their
-   format says so; a texture's border texels are dropped, and the border's colour stands for them, as with
-   Mesa. Texels copied from the frame buffer are read back to the CPU. A window's framebuffer has no front of
-   its own: drawing into the front draws into the back. Multisampling and colour indices are state that
-   nothing shows. There are no accumulation and no auxiliary buffers, and no stereo. Depths and stencil values
-   are read through a copy; a window with antialiasing refuses that with GL_INVALID_OPERATION, an own target
-   never does. */
+   back at once, it combines with the back. Textures are stored with eight bits a channel, or fewer where
+   their format says so; a texture's border texels are dropped, and the border's colour stands for them, as
+   with Mesa. Texels copied from the frame buffer are read back to the CPU. A window's framebuffer has no
+   front of its own: drawing into the front draws into the back. Multisampling and colour indices are state
+   that nothing shows. There are no accumulation and no auxiliary buffers, and no stereo. Depths and stencil
+   values are read through a copy; a window with antialiasing refuses that with GL_INVALID_OPERATION, an own
+   target never does. */
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "tank/part.h"
-
 #include <cstdint>
 
 namespace scene {
@@ -13,8 +11,5 @@ struct Rgb
     std::uint8_t green;
     std::uint8_t blue;
 };
-
-/// Returns the one colour of a mesh of the low-detail tank, which is neither lit nor textured.
-Rgb low_colour(tank::MeshKind mesh);
 
 } // namespace scene

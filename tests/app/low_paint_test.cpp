@@ -1,0 +1,132 @@
+#include "app/low_paint.h"
+
+#include "fixtures.h"
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace app {
+namespace {
+
+/// Adds a square of two triangles to a mesh: from `corner` along u and v, which lie so that it looks along
+/// their cross product. The whole of it has the texture coordinate (s, 0.5).
+void add_square(mesh::ObjMesh& obj, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v, float s)
+{
+    const int first = static_cast<int>(obj.positions.size());
+    obj.positions.insert(obj.positions.end(), {corner, corner + u, corner + u + v, corner + v});
+    obj.normals.push_back(glm::normalize(glm::cross(u, v)));
+    obj.texture_coordinates.push_back({s, 0.5f});
+    const int normal = static_cast<int>(obj.normals.size()) - 1;
+    for (const std::array<int, 3>& corners : {std::array{0, 1, 2}, {0, 2, 3}}) {
+        mesh::Face face{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            face.vertices[i] = {
+                .position = first + corners[i], .normal = normal, .texture_coordinate = normal};
+        }
+        obj.faces.push_back(face);
+    }
+}
+
+constexpr glm::vec3 X{1, 0, 0};
+constexpr glm::vec3 Y{0, 1, 0};
+constexpr glm::vec3 Z{0, 0, 1};
+
+/// Four pixels in a row: red, green, blue, and black.
+mesh::Image four_colours()
+{
+    return {.width = 4, .height = 1, .channels = 3, .pixels = {200, 0, 0, 0, 200, 0, 0, 0, 200, 0, 0, 0}};
+}
+
+constexpr float RED = 0.125f;
+constexpr float GREEN = 0.375f;
+constexpr float BLUE = 0.625f;
+constexpr float BLACK = 0.875f;
+
+void expect_colour(const glm::vec3& paint, const glm::vec3& of_255)
+{
+    EXPECT_LT(glm::distance(255.0f * paint, of_255), 1.0f) << paint.r << ", " << paint.g << ", " << paint.b;
+}
+
+TEST(LowPaint, IsWhatTheTextureShowsWhereTheHighMeshLiesAndLooksTheSameWay)
+{
+    mesh::ObjMesh high;
+    add_square(high, {0, 1, 0}, Z, X, RED);   // above, looking up
+    add_square(high, {0, 0, 1}, X, Y, GREEN); // in front, looking ahead
+    add_square(high, {5, 1, 0}, Z, X, BLUE);  // beside, looking up
+    mesh::ObjMesh low;
+    add_square(low, {-0.02f, 1.02f, -0.02f}, 1.1f * Z, 1.1f * X, 0.0f);
+    add_square(low, {0, 0, 1.05f}, X, Y, 0.0f);
+    add_square(low, {4.9f, 0.95f, 0}, Z, 1.2f * X, 0.0f);
+    const std::vector<glm::vec3> paint = paint_of(low, high, four_colours());
+    ASSERT_EQ(paint.size(), 6u);
+    for (std::size_t triangle : {0u, 1u}) {
+        expect_colour(paint[triangle], {200, 0, 0});
+        expect_colour(paint[2 + triangle], {0, 200, 0});
+        expect_colour(paint[4 + triangle], {0, 0, 200});
+    }
+}
+
+TEST(LowPaint, IsTheMeanByAreaOfWhatItStandsFor)
+{
+    mesh::ObjMesh high;
+    add_square(high, {0, 0, 0}, Z, 0.5f * X, RED);
+    add_square(high, {0.5f, 0, 0}, Z, 1.5f * X, GREEN);
+    mesh::ObjMesh low;
+    add_square(low, {0, 0, 0}, Z, 2.0f * X, 0.0f);
+    const std::vector<glm::vec3> paint = paint_of(low, high, four_colours());
+    // A quarter of it is red; each triangle has its own share of that.
+    const glm::vec3 mean = 127.5f * (paint[0] + paint[1]);
+    EXPECT_NEAR(mean.r, 50.0f, 2.0f);
+    EXPECT_NEAR(mean.g, 150.0f, 2.0f);
+}
+
+TEST(LowPaint, LeavesOutWhatIsHidden)
+{
+    mesh::ObjMesh high;
+    add_square(high, {0, 0, 0}, Z, X, RED);
+    add_square(high, {0, -0.6f, 0}, Z, X, GREEN); // deep inside
+    add_square(high, {0, 0.01f, 0}, Z, X, BLACK); // as dark as only shade is
+    mesh::ObjMesh low;
+    add_square(low, {0, 0, 0}, Z, X, 0.0f);
+    const std::vector<glm::vec3> paint = paint_of(low, high, four_colours());
+    expect_colour(paint[0], {200, 0, 0});
+}
+
+TEST(LowPaint, OfAFaceThatNothingLooksLikeIsTheWholeMeshs)
+{
+    mesh::ObjMesh high;
+    add_square(high, {0, 0, 0}, Z, X, RED);
+    add_square(high, {2, 0, 0}, Z, X, BLUE);
+    mesh::ObjMesh low;
+    add_square(low, {0, -1, 0}, X, Z, 0.0f); // looks down
+    expect_colour(paint_of(low, high, four_colours())[0], {100, 0, 100});
+    expect_colour(paint_of(low, {}, four_colours())[0], {255, 255, 255}); // nothing to take it from
+}
+
+TEST(LowPaint, GivesNumbersForFacesWithoutArea)
+{
+    mesh::ObjMesh flat;
+    add_square(flat, {0, 0, 0}, Z, Z, RED);
+    for (const glm::vec3& paint : paint_of(flat, flat, four_colours())) {
+        expect_colour(paint, {255, 255, 255});
+    }
+}
+
+TEST(LowPaint, OfOurTankTellsRubberFromPaint)
+{
+    const Assets& assets = own_assets();
+    const auto mean = [&](tank::MeshKind kind) {
+        const std::vector<glm::vec3>& paint = assets.low_paint[tank::index_of(kind)];
+        EXPECT_EQ(paint.size(), assets.low[tank::index_of(kind)].faces.size());
+        glm::vec3 sum(0.0f);
+        for (const glm::vec3& colour : paint) {
+            sum += colour / static_cast<float>(paint.size());
+        }
+        return sum;
+    };
+    EXPECT_GT(mean(tank::MeshKind::main_gun).g, 1.2f * mean(tank::MeshKind::wheel).g);
+}
+
+} // namespace
+} // namespace app

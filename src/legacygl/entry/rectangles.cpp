@@ -1,5 +1,5 @@
-// glRect (OpenGL 1.5, 2.10). The specification has a polygon; Mesa draws a quad, which is seen in the order of
-// a stippled outline, in the diagonal, and where a light at a place and flat shading make corners differ.
+// glRect (OpenGL 1.5, 2.10). The specification has a polygon; Mesa draws a quad, which is seen in the order
+// of a stippled outline, in the diagonal, and where a light at a place and flat shading make corners differ.
 
 #include <GL/gl.h>
 

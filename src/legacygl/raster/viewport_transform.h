@@ -74,8 +74,9 @@ public:
             const auto miss = [&](float value) {
                 return std::fabs(fused(value * (1.0f / clip.w), scale_[i], translate_[i]) - window[i]);
             };
-            if (!(miss(clip[i]) <= 1.0f / 1024))
-                clip[i] = (window[i] - translate_[i]) / scale_[i] * clip.w;
+            const float computed = (window[i] - translate_[i]) / scale_[i] * clip.w;
+            if (!(miss(clip[i]) <= miss(computed)))
+                clip[i] = computed;
             clip[i] = std::fmax(std::fmin(clip[i], clip.w), -clip.w);
             for (const float towards : {-clip.w, clip.w})
                 for (float next = std::nextafter(clip[i], towards); miss(next) < miss(clip[i]);

@@ -120,10 +120,10 @@ protected:
     /// does: it cuts quads along another diagonal.
     static random_gl::RandomStream stream(unsigned seed)
     {
-        return random_gl::RandomStream(seed, {Feature::display_lists, Feature::quads, Feature::rectangles,
-                                              Feature::meshes, Feature::quadrics, Feature::arrays,
-                                              Feature::copied_textures, Feature::texture_parameters,
-                                              Feature::texture_combiners, Feature::second_texture_unit});
+        return random_gl::RandomStream(
+            seed, {Feature::display_lists, Feature::quads, Feature::quad_strips, Feature::rectangles,
+                   Feature::meshes, Feature::quadrics, Feature::arrays, Feature::copied_textures,
+                   Feature::texture_parameters, Feature::texture_combiners, Feature::second_texture_unit});
     }
     static void run(unsigned seed)
     {

@@ -36,6 +36,9 @@ Name RandomStream::mode()
 {
     if (uses(Feature::quads) && pick(6) == 0)
         return RANDOM_GL_NAME(GL_QUADS);
+    if (!uses(Feature::quad_strips))
+        return RANDOM_GL_ANY(GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES,
+                             GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_POLYGON);
     return RANDOM_GL_ANY(GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP,
                          GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON);
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array DRAWN = {Feature::quads,         Feature::rectangles, Feature::homogeneous,
                               Feature::arrays,        Feature::quadrics,   Feature::meshes,
                               Feature::display_lists, Feature::edge_flags, Feature::attribute_stack,
-                              Feature::ragged};
+                              Feature::ragged,        Feature::quad_strips};
 
 bool is_state(Feature feature)
 {
@@ -32,11 +32,12 @@ RandomStream::RandomStream(unsigned seed, std::initializer_list<Feature> without
 RandomStream::RandomStream(unsigned seed) : random_(seed)
 {
     for (int count = 3 + pick(8); count > 0; --count)
-        used_[static_cast<std::size_t>(pick(static_cast<int>(Feature::COUNT)))] = true;
+        used_[static_cast<std::size_t>(pick(static_cast<int>(Feature::quad_strips)))] = true;
     for (std::size_t i = 0; i < used_.size(); ++i)
         if (used_[i] && is_state(static_cast<Feature>(i)))
             states_.push_back(static_cast<Feature>(i));
     used_[static_cast<std::size_t>(Feature::ragged)] = false;
+    used_[static_cast<std::size_t>(Feature::quad_strips)] = true;
     if (states_.empty())
         states_.push_back(Feature::attributes);
     if (uses(Feature::second_texture_unit) || uses(Feature::texture_parameters) ||

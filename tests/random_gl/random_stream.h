@@ -73,6 +73,7 @@ enum class Feature
     display_lists,
     copied_textures,
     ragged, ///< Attributes first appear in the middle of a primitive; colours come with and without alpha.
+    quad_strips, ///< The last one: always used where features are chosen by the seed.
     COUNT
 };
 

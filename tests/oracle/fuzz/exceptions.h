@@ -19,7 +19,6 @@ constexpr std::array EXCEPTIONS = {
     SeedException{7, 5112,
                   "A texture of five bits a channel, filtered: Mesa rounds its texels otherwise, by 1."},
     SeedException{50, 1, "A smooth line's corners pass through clip coordinates, which rounds them: by 1."},
-    SeedException{52, 1, "An edge's pixel at nearly the same depth as another polygon's."},
     SeedException{59, 10, "Smooth lines over one another at the same depth, whose last bit is rounded."},
 };
 

@@ -30,13 +30,19 @@ template <class T> float read_as(const std::uint8_t* p, bool fraction)
     return fraction ? component(value) : static_cast<float>(value);
 }
 
+/// Unlike glColor3ub, Mesa reads an array's bytes by multiplying, which may round to another float.
+float read_unsigned_byte(const std::uint8_t* p, bool fraction)
+{
+    return static_cast<float>(*p) * (fraction ? 1.0f / 255.0f : 1.0f);
+}
+
 float read_component(GLenum type, const std::uint8_t* p, bool fraction)
 {
     switch (type) {
     case GL_BYTE:
         return read_as<GLbyte>(p, fraction);
     case GL_UNSIGNED_BYTE:
-        return read_as<GLubyte>(p, fraction);
+        return read_unsigned_byte(p, fraction);
     case GL_SHORT:
         return read_as<GLshort>(p, fraction);
     case GL_UNSIGNED_SHORT:

@@ -2,12 +2,11 @@
 // (ORACLE_REFERENCE): the same bytes, or no channel off by more than 2 of 255, or the counted exception that
 // stands beside the scene. One test a scene.
 
+#include "picture_difference.h"
 #include "scene.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -19,28 +18,6 @@ std::string read(const std::string& path)
     std::ifstream file(path, std::ios::binary);
     EXPECT_TRUE(file) << path << " was not drawn.";
     return {std::istreambuf_iterator<char>(file), {}};
-}
-
-struct Difference
-{
-    int pixels = 0;  ///< that differ at all
-    int visible = 0; ///< by more than 2
-    int greatest = 0;
-};
-
-Difference compare(const std::string& a, const std::string& b)
-{
-    Difference difference;
-    for (std::size_t pixel = 0; pixel + 4 <= a.size(); pixel += 4) {
-        int greatest = 0;
-        for (std::size_t i = pixel; i < pixel + 4; ++i)
-            greatest = std::max(
-                greatest, std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i])));
-        difference.pixels += greatest > 0;
-        difference.visible += greatest > 2;
-        difference.greatest = std::max(difference.greatest, greatest);
-    }
-    return difference;
 }
 
 bool shows_something(const std::string& rgba)
@@ -64,7 +41,7 @@ public:
         const std::string told = read(ORACLE_REFERENCE "/" + scene_.name + ".txt");
         EXPECT_TRUE(shows_something(reference) || !told.empty())
             << "The scene is empty and can hold nothing.";
-        const Difference difference = compare(emulated, reference);
+        const oracle::PictureDifference difference = oracle::difference(emulated, reference);
         RecordProperty("pixels_off", difference.pixels);
         RecordProperty("greatest", difference.greatest);
         if (difference.pixels != 0)

@@ -67,10 +67,10 @@ void Program::run(std::span<const std::size_t> kept) const
         commands_[i].run();
 }
 
-void Program::run() const
+void Program::run(std::size_t from) const
 {
-    for (const Command& command : commands_)
-        command.run();
+    for (; from < commands_.size(); ++from)
+        commands_[from].run();
 }
 
 std::vector<std::size_t> Program::without(std::span<const std::size_t> kept, std::size_t from,

@@ -100,7 +100,8 @@ public:
 
     /// Makes the calls of these indices, which ascend.
     void run(std::span<const std::size_t> kept) const;
-    void run() const;
+    /// Makes the calls from an index on.
+    void run(std::size_t from = 0) const;
 
     /// Returns indices without those from `from` up to `to` (places in kept) and what falls with them.
     std::vector<std::size_t> without(std::span<const std::size_t> kept, std::size_t from,

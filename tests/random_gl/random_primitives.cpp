@@ -74,6 +74,8 @@ void RandomStream::loose_primitive()
     const auto some = std::span(varying).first(static_cast<std::size_t>(pick(4)));
     for (int& which : some)
         which = pick(ATTRIBUTES);
+    if (uses(Feature::textures) && !some.empty())
+        some.front() = TEXTURE_COORDINATE;
     program_.begin_unit(); // All that the vertices get, the first one gets with glBegin.
     begin(name);
     for (int i = 0; i < count; ++i) {
@@ -168,9 +170,10 @@ void RandomStream::quadric()
 {
     const int which = pick(4);
     const Name style = RANDOM_GL_ANY(GLU_FILL, GLU_LINE, GLU_SILHOUETTE, GLU_POINT, GLU_FILL);
-    // A sphere of points has no flat normals in libGLU: it reads memory that nothing was written to.
-    const Name normals = style.value == GLU_POINT ? RANDOM_GL_ANY(GLU_SMOOTH, GLU_NONE)
-                                                  : RANDOM_GL_ANY(GLU_SMOOTH, GLU_FLAT, GLU_NONE);
+    // Points and silhouettes have no flat normals in libGLU: it reads memory that nothing was written to.
+    const Name normals = style.value == GLU_POINT || style.value == GLU_SILHOUETTE
+                             ? RANDOM_GL_ANY(GLU_SMOOTH, GLU_NONE)
+                             : RANDOM_GL_ANY(GLU_SMOOTH, GLU_FLAT, GLU_NONE);
     const bool textured = pick(2) != 0, inside = pick(4) == 0;
     const int slices = 3 + pick(12), stacks = 1 + pick(10);
     RANDOM_GL_CALL(random_gl::quadric, which, style, normals, textured, inside, slices, stacks);

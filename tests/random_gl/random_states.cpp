@@ -32,7 +32,7 @@ bool RandomStream::vertex_state(Feature feature)
     case Feature::materials:
         if (pick(3) == 0)
             RANDOM_GL_CALL(glMaterialf, RANDOM_GL_ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK),
-                           RANDOM_GL_NAME(GL_SHININESS), a[0] * 64);
+                           RANDOM_GL_NAME(GL_SHININESS), 1 + a[0] * 63);
         else
             RANDOM_GL_CALL(glMaterialfv, RANDOM_GL_ANY(GL_FRONT_AND_BACK, GL_FRONT, GL_BACK),
                            RANDOM_GL_ANY(GL_EMISSION, GL_DIFFUSE, GL_AMBIENT, GL_SPECULAR), v);
@@ -128,8 +128,8 @@ bool RandomStream::raster_state(Feature feature)
             RANDOM_GL_CALL(glFrontFace, RANDOM_GL_ANY(GL_CW, GL_CCW));
         return true;
     case Feature::polygon_mode:
-        // In Mesa a filled face loses its alpha after smooth lines or points of the other face.
-        if (uses(Feature::smooth_lines_and_points))
+        // With both, Mesa draws one face with what is meant for the smooth lines or the stipple of the other.
+        if (uses(Feature::smooth_lines_and_points) || uses(Feature::polygon_stipple))
             RANDOM_GL_CALL(glPolygonMode, RANDOM_GL_NAME(GL_FRONT_AND_BACK),
                            RANDOM_GL_ANY(GL_POINT, GL_LINE, GL_LINE, GL_FILL));
         else

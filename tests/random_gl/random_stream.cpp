@@ -98,6 +98,9 @@ void RandomStream::set_up()
         RANDOM_GL_CALL(glEnable, RANDOM_GL_NAME(GL_LIGHT0));
         if (pick(2))
             RANDOM_GL_CALL(glEnable, RANDOM_GL_NAME(GL_COLOR_MATERIAL));
+        // Without an exponent, Mesa raises the highlights of attenuated lights to another power.
+        RANDOM_GL_CALL(glMaterialf, RANDOM_GL_NAME(GL_FRONT_AND_BACK), RANDOM_GL_NAME(GL_SHININESS),
+                       1 + part() * 63);
         light_state();
     }
     if (uses(Feature::textures) && pick(4))

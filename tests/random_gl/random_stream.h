@@ -118,7 +118,7 @@ private:
 
     void primitive();
     void vertex(int components);
-    static constexpr int ATTRIBUTES = 10; ///< That attribute() can set.
+    static constexpr int ATTRIBUTES = 10, TEXTURE_COORDINATE = 4; ///< What attribute() can set.
     void attribute(int which);
     void loose_primitive();
     void mesh();

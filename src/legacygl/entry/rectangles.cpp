@@ -1,4 +1,5 @@
-// glRect: a rectangle as the polygon that OpenGL 1.5, 2.10, defines.
+// glRect (OpenGL 1.5, 2.10). The specification has a polygon; Mesa draws a quad, which is seen in the order of
+// a stippled outline, in the diagonal, and where a light at a place and flat shading make corners differ.
 
 #include <GL/gl.h>
 
@@ -6,7 +7,7 @@ namespace {
 
 void rectangle(double x1, double y1, double x2, double y2)
 {
-    glBegin(GL_POLYGON);
+    glBegin(GL_QUADS);
     glVertex2d(x1, y1);
     glVertex2d(x2, y1);
     glVertex2d(x2, y2);

@@ -260,7 +260,7 @@ void PrimitivePipeline::draw_point(const ShadedVertex& vertex)
     if (!has_place(vertex))
         return;
     if (work_.smooth_points)
-        return add_smooth_point(vertex, out_);
+        return add_smooth_point(vertex, state_.raster.point_parameters.attenuates(), out_);
     out_.point(vertex);
 }
 

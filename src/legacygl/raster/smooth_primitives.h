@@ -9,7 +9,8 @@ namespace legacygl {
 /// coverage (OpenGL 1.5, 3.4.4, leaves it open).
 void add_smooth_line(const ShadedVertex& a, const ShadedVertex& b, float width, RasterOutput& out);
 
-/// Draws a point as a disc whose alpha falls from 1 to 0 over its last pixel (OpenGL 1.5, 3.3).
-void add_smooth_point(const ShadedVertex& vertex, RasterOutput& out);
+/// Draws a point as a disc whose alpha falls from 1 to 0 over its last pixel (OpenGL 1.5, 3.3). attenuated:
+/// its size comes from its distance, and nothing keeps it from getting smaller than a pixel.
+void add_smooth_point(const ShadedVertex& vertex, bool attenuated, RasterOutput& out);
 
 } // namespace legacygl

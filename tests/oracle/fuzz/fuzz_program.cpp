@@ -24,7 +24,9 @@ std::vector<std::size_t> all(const random_gl::Program& program)
 void run(const random_gl::Program& program, const std::vector<std::size_t>& kept)
 {
     random_gl::RandomStream::make_textures();
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT); // What is there is undefined.
+    // Without a window the one is empty at first, and what is in the others undefined.
+    glScissor(0, 0, SIZE, SIZE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     program.run(kept);
 }
 

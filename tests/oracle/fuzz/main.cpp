@@ -2,9 +2,11 @@
 //
 //   oracle_fuzz [FIRST [COUNT]]       one line for each seed that differs, and how many are identical
 //   oracle_fuzz --shrink FIRST COUNT  the same, and for each that differs the fewest calls that do, as C++
+//   oracle_fuzz --test                the test's seeds: each identical, or as exceptions.h says
 //   oracle_fuzz --print SEED          all calls of a seed's program, as C++
 
 #include "fuzz/drawer.h"
+#include "fuzz/exceptions.h"
 #include "fuzz/fuzz_program.h"
 #include "picture_difference.h"
 
@@ -107,6 +109,35 @@ int sweep(Comparison& comparison, unsigned first, unsigned count, bool shrinks)
     return identical == count ? 0 : 1;
 }
 
+/// Returns whether a seed is as it should be, and says so where not.
+bool holds(unsigned seed, const PictureDifference& d)
+{
+    const auto exception = std::find_if(oracle::fuzz::EXCEPTIONS.begin(), oracle::fuzz::EXCEPTIONS.end(),
+                                        [seed](const auto& e) { return e.seed == seed; });
+    if (exception == oracle::fuzz::EXCEPTIONS.end()) {
+        if (d.differs())
+            say(seed, d);
+        return !d.differs();
+    }
+    if (!d.differs())
+        std::printf("seed %u: the exception is not needed any more, remove it: %s\n", seed, exception->why);
+    else if (d.pixels > exception->pixels || d.told)
+        say(seed, d);
+    return d.differs() && d.pixels <= exception->pixels && !d.told;
+}
+
+int test(Comparison& comparison)
+{
+    unsigned failures = 0;
+    for (unsigned seed = 1; seed <= oracle::fuzz::TEST_SEEDS; ++seed) {
+        const random_gl::Program program = oracle::fuzz::make_program(seed);
+        failures += !holds(seed, comparison.of(seed, oracle::fuzz::all(program)));
+    }
+    std::printf("%u seeds, %zu of them exceptions; %u failures\n", oracle::fuzz::TEST_SEEDS,
+                oracle::fuzz::EXCEPTIONS.size(), failures);
+    return failures == 0 ? 0 : 1;
+}
+
 std::string folder_of(const std::string& path)
 {
     return path.substr(0, path.rfind('/') + 1);
@@ -128,5 +159,7 @@ int main(int argc, char** argv)
         return 0;
     }
     Comparison comparison(folder_of(argv[0]));
+    if (option == "--test")
+        return test(comparison);
     return sweep(comparison, first, number(numbers + 1, option.empty() ? 200 : 1), option == "--shrink");
 }

@@ -189,14 +189,13 @@ std::array<Field, FIELD_COUNT> make_fields()
     const Range across{.minimum = -200.0, .maximum = 200.0, .initial = 0};
     const Range beside{.minimum = -20.0, .maximum = 20.0, .initial = 0};
     return {{
-        joint_field<Joint::turret>(turret, "turret", "Turret", Group::turret),
-        joint_field<Joint::main_gun>(main_gun, "gun", "Main gun", Group::main_gun),
-        joint_field<Joint::secondary_gun>(secondary_gun, "secondary_gun", "Secondary gun",
-                                          Group::secondary_gun),
+        joint_field<Joint::turret>(turret, "turret", "Turret", Group::joints),
+        joint_field<Joint::main_gun>(main_gun, "gun", "Main gun", Group::joints),
+        joint_field<Joint::secondary_gun>(secondary_gun, "secondary_gun", "Secondary gun", Group::joints),
         joint_field<Joint::secondary_gun_pitch>(secondary_gun_pitch, "secondary_gun_pitch",
-                                                "Secondary gun's pitch", Group::secondary_gun),
-        joint_field<Joint::wheels_left>(wheels_left, "wheels_left", "Left wheels", Group::wheels),
-        joint_field<Joint::wheels_right>(wheels_right, "wheels_right", "Right wheels", Group::wheels),
+                                                "Secondary gun's pitch", Group::joints),
+        joint_field<Joint::wheels_left>(wheels_left, "wheels_left", "Left wheels", Group::joints),
+        joint_field<Joint::wheels_right>(wheels_right, "wheels_right", "Right wheels", Group::joints),
         joint_field<Joint::heading>(heading, "heading", "Heading", Group::tank),
         plain_field(x, "x", "Position x", Group::tank, METRES, across, in_state<&State::x>()),
         plain_field(z, "z", "Position z", Group::tank, METRES, across, in_state<&State::z>()),

@@ -7,10 +7,7 @@ namespace app {
 /// Names the headings under which the page shows commands and fields, in this order.
 enum class Group
 {
-    turret,
-    main_gun,
-    secondary_gun,
-    wheels,
+    joints,
     tank,
     projectile,
     spheres,
@@ -21,18 +18,12 @@ enum class Group
     program,
 };
 
-/// Returns the heading for people, such as "Main gun".
+/// Returns the heading for people, such as "Level of detail".
 constexpr std::string_view group_name(Group group)
 {
     switch (group) {
-    case Group::turret:
-        return "Turret";
-    case Group::main_gun:
-        return "Main gun";
-    case Group::secondary_gun:
-        return "Secondary gun";
-    case Group::wheels:
-        return "Wheels";
+    case Group::joints:
+        return "Turret, guns and wheels";
     case Group::tank:
         return "Tank";
     case Group::projectile:

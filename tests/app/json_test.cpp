@@ -77,7 +77,7 @@ TEST(JsonTest, CommandsHaveTheirKeysGroupsAndRanges)
     }
     const JsonValue& left = rows["turret_left"];
     EXPECT_EQ(left["kind"].text, "hold");
-    EXPECT_EQ(left["group"].text, "Turret");
+    EXPECT_EQ(left["group"].text, "Turret, guns and wheels");
     EXPECT_EQ(left["keys"][0].text, "KeyQ");
     EXPECT_EQ(left["key_labels"][0].text, "Q");
     EXPECT_EQ(left["fields"][0].text, "turret");

@@ -5,12 +5,11 @@
 #include "legacygl/backend/es3_fixed_state.h"
 #include "legacygl/backend/es3_functions.h"
 #include "legacygl/backend/es3_geometry.h"
-#include "legacygl/backend/es3_shader.h"
+#include "legacygl/backend/es3_programs.h"
 #include "legacygl/backend/es3_stream.h"
 #include "legacygl/backend/es3_target.h"
 #include "legacygl/backend/es3_textures.h"
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,25 +17,8 @@
 namespace legacygl {
 namespace {
 
-struct Program
-{
-    GLuint name = 0;
-    int transform_slots = 1;
-    std::uint32_t attributes_read = 0;
-    std::array<GLint, UNIFORM_GROUP_COUNT> locations{};
-    std::array<std::uint64_t, UNIFORM_GROUP_COUNT> revisions{}; ///< Of the values it holds; in slot 0.
-};
-
-constexpr std::uint64_t NEVER = ~std::uint64_t{0}; ///< No revision.
-constexpr std::uint32_t STREAM = 0;                ///< No page.
+constexpr std::uint32_t STREAM = 0; ///< No page.
 constexpr int TRANSFORM = static_cast<int>(UniformGroup::transform);
-
-/// Index 0 stays empty, so that 0 can mean none.
-template <class T> std::uint32_t add(std::vector<T>& objects, const T& object)
-{
-    objects.push_back(object);
-    return static_cast<std::uint32_t>(objects.size() - 1);
-}
 
 class Es3Backend final : public Backend
 {
@@ -54,8 +36,7 @@ public:
     ~Es3Backend() override
     {
         geometries_.clear();
-        for (const Program& program : programs_)
-            gl_.DeleteProgram(program.name);
+        programs_.clear();
         target_.destroy();
         covering_.destroy();
     }
@@ -63,23 +44,7 @@ public:
     ProgramId create_program(const ProgramText& text) override
     {
         draw_waiting();
-        Program program;
-        program.transform_slots = text.transform_slots;
-        program.attributes_read = text.attributes_read;
-        std::string message;
-        program.name = link_program(gl_, text.vertex, text.fragment, message);
-        if (program.name == 0)
-            std::fprintf(stderr, "legacygl: a shader does not compile, please report this: %s\n%s\n%s\n",
-                         message.c_str(), text.vertex.c_str(), text.fragment.c_str());
-        for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
-            program.locations[i] = gl_.GetUniformLocation(program.name, UNIFORM_GROUP_NAMES[i]);
-        gl_.UseProgram(program.name);
-        for (int unit = 0; unit < SAMPLER_COUNT; ++unit)
-            gl_.Uniform1i(gl_.GetUniformLocation(program.name, ("texture_" + std::to_string(unit)).c_str()),
-                          unit);
-        used_program_ = 0;
-        ++counters.programs;
-        return add(programs_, program);
+        return programs_.create(text);
     }
 
     GeometryId create_geometry(const VertexFormat& format, std::span<const float> vertices,
@@ -222,7 +187,7 @@ public:
     void context_lost() override
     {
         ++generation;
-        programs_.resize(1);
+        programs_.forget();
         geometries_.forget();
         batch_.begin(1);
         target_.forget();
@@ -257,7 +222,7 @@ private:
     void forget_state()
     {
         fixed_.forget();
-        used_program_ = 0;
+        programs_.forget_use();
         textures_.forget_binding();
         geometries_.forget_binding();
         constants_ = {};
@@ -288,7 +253,7 @@ private:
 
     /// Calls what with each attribute that the program reads and the vertices lack.
     template <class What>
-    static void for_each_constant(const Program& program, const VertexFormat& format, What what)
+    static void for_each_constant(const Es3Program& program, const VertexFormat& format, What what)
     {
         for (int i = 1; program.attributes_read >> i != 0; ++i)
             if ((program.attributes_read & (1u << i)) && format.components[i] == 0)
@@ -304,28 +269,9 @@ private:
             geometries_.bind_stream(waiting_format_, stream_.vertices(), stream_.slots(), stream_.indices());
         else
             geometries_.bind_page(waiting_page_);
-        upload_transforms(programs_[waiting_program_]);
+        programs_.upload(waiting_program_, UniformGroup::transform, batch_.transforms());
         geometries_.draw_runs(batch_.runs());
         batch_.begin(1);
-    }
-
-    void upload_transforms(Program& program)
-    {
-        const UniformValues transforms = batch_.transforms();
-        if (transforms.revision == 0)
-            program.revisions[TRANSFORM] = NEVER; // What it gets is more than slot 0.
-        upload(program, TRANSFORM, transforms);
-    }
-
-    /// Uploads a group's values unless the program, which is in use, has them.
-    void upload(Program& program, int group, const UniformValues& values)
-    {
-        if (program.locations[group] < 0 || program.revisions[group] == values.revision)
-            return;
-        program.revisions[group] = values.revision;
-        gl_.Uniform4fv(program.locations[group], static_cast<GLsizei>(values.values.size()),
-                       &values.values.front().x);
-        ++counters.uniform_uploads;
     }
 
     bool has_constants(const DrawState& state, const VertexFormat& format) const
@@ -351,19 +297,16 @@ private:
     {
         if (lost_ || state.program == 0)
             return false;
-        Program& program = programs_[state.program];
-        if (used_program_ != program.name)
-            gl_.UseProgram(program.name);
-        used_program_ = program.name;
+        const bool usable = programs_.use(state.program);
         for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
-            if (i != TRANSFORM)
-                upload(program, i, state.uniforms[i]);
+            if (const auto group = static_cast<UniformGroup>(i); group != UniformGroup::transform)
+                programs_.upload(state.program, group, state.uniforms[i]);
         for (int unit = SAMPLER_COUNT; unit-- > 0;)
             if (state.textures[unit] != 0)
                 textures_.bind(state.textures[unit], unit);
         fixed_.apply(state.pipeline);
         apply_constants(state, format);
-        return program.name != 0;
+        return usable;
     }
 
     const Es3Functions gl_;
@@ -371,6 +314,7 @@ private:
     Es3Target target_;
     Es3DepthReader depth_reader_{gl_, covering_};
     Es3FixedState fixed_{gl_, target_};
+    Es3Programs programs_{gl_, counters};
     Es3Textures textures_{gl_, counters};
     Es3Geometries geometries_{gl_, counters};
     Es3Batch batch_; ///< What waits to be drawn: of a page of geometries_, or of stream_.
@@ -380,11 +324,9 @@ private:
     ProgramId waiting_program_ = 0;
     std::uint64_t waiting_revision_ = 0;
     std::uint64_t batch_number_ = 0;
-    std::vector<Program> programs_{1};
 
     bool lost_ = false;
     std::array<std::optional<glm::vec4>, ATTRIBUTE_COUNT> constants_;
-    GLuint used_program_ = 0;
 };
 
 } // namespace

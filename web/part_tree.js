@@ -60,7 +60,10 @@ export class PartTree {
 
   #item({ part, title, children }, parents, axes, act) {
     const own = axes.choices.filter(isAxisOf(part));
-    const press = button("part", title, () => act(axes.name, Math.max(0, axes.choices.indexOf(own[own.indexOf(this.#axis) + 1]))));
+    const press = button("part", title, () => {
+      this.#axis = own[own.indexOf(this.#axis) + 1] ?? "off"; // at once: the next press may come before show()
+      act(axes.name, axes.choices.indexOf(this.#axis));
+    });
     press.title = `Show the axis of the ${title}`;
     const item = element("li", "", press);
     this.#rows.push({ part, title, item, press, parents });

@@ -164,12 +164,13 @@ struct Nearest
 {
     std::size_t face; ///< the number of faces when none looks the spot's way
     double distance;
+    glm::vec3 place; ///< on the face
 };
 
 Nearest nearest_target(const Sample& sample, const std::vector<Target>& targets)
 {
     double best = std::numeric_limits<double>::max();
-    Nearest found{targets.size(), 0.0};
+    Nearest found{targets.size(), 0.0, {}};
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const Target& target = targets[i];
         const double cosine = static_cast<double>(glm::dot(sample.normal, target.normal));
@@ -184,11 +185,11 @@ Nearest nearest_target(const Sample& sample, const std::vector<Target>& targets)
             continue;
         }
         const glm::dvec3 position(sample.position);
-        const double distance =
-            glm::distance(position, collision::closest_point_on_triangle(position, target.triangle));
+        const glm::dvec3 place = collision::closest_point_on_triangle(position, target.triangle);
+        const double distance = glm::distance(position, place);
         if (turned + distance < best) {
             best = turned + distance;
-            found = {i, distance};
+            found = {i, distance, glm::vec3(place)};
         }
     }
     return found;
@@ -205,26 +206,49 @@ float weight_of(const Sample& sample, double distance)
     return lightness * static_cast<float>(1.0 / (falls * falls));
 }
 
+/// Returns how much a place on a face counts for each of its corners: the fourth power of what it has of
+/// them, so that the corners of a large face differ as the paint there does; and a little in any case.
+std::array<float, 3> nearness_of(const Target& target, const glm::vec3& place)
+{
+    const collision::Triangle& triangle = target.triangle;
+    const glm::vec3 whole = doubled_area(triangle);
+    const float square = glm::dot(whole, whole);
+    std::array<float, 3> nearness{1.0f, 1.0f, 1.0f};
+    const std::array opposite = {collision::Triangle{place, triangle.b, triangle.c},
+                                 collision::Triangle{triangle.a, place, triangle.c},
+                                 collision::Triangle{triangle.a, triangle.b, place}};
+    for (std::size_t corner = 0; square > 0.0f && corner < nearness.size(); ++corner) {
+        const float part = std::clamp(glm::dot(doubled_area(opposite[corner]), whole) / square, 0.0f, 1.0f);
+        nearness[corner] = 0.001f + part * part * part * part;
+    }
+    return nearness;
+}
+
 } // namespace
 
-std::vector<glm::vec3> paint_of(const mesh::ObjMesh& low, const mesh::ObjMesh& high,
+std::vector<FacePaint> paint_of(const mesh::ObjMesh& low, const mesh::ObjMesh& high,
                                 const mesh::Image& texture)
 {
     const std::vector<Sample> samples = samples_of(high, texture);
     const std::vector<Target> targets =
         low.faces.size() <= MOST_LOW_FACES ? targets_of(low) : std::vector<Target>{};
     Mean whole;
-    std::vector<Mean> means(low.faces.size());
+    std::vector<std::array<Mean, 3>> means(low.faces.size());
     for (const Sample& sample : samples) {
         whole.add(sample);
         if (const Nearest nearest = nearest_target(sample, targets); nearest.face < targets.size()) {
-            means[nearest.face].add(sample, weight_of(sample, nearest.distance));
+            const float weight = weight_of(sample, nearest.distance);
+            const std::array<float, 3> nearness = nearness_of(targets[nearest.face], nearest.place);
+            for (std::size_t corner = 0; corner < nearness.size(); ++corner) {
+                means[nearest.face][corner].add(sample, weight * nearness[corner]);
+            }
         }
     }
     const glm::vec3 usual = whole.area > 0.0f ? whole.sum / whole.area : glm::vec3(1.0f);
-    std::vector<glm::vec3> paint;
-    for (const Mean& mean : means) {
-        paint.push_back(mean.area > 0.0f ? mean.sum / mean.area : usual);
+    std::vector<FacePaint> paint(means.size());
+    for (std::size_t face = 0; face < means.size(); ++face) {
+        std::transform(means[face].begin(), means[face].end(), paint[face].begin(),
+                       [&](const Mean& mean) { return mean.area > 0.0f ? mean.sum / mean.area : usual; });
     }
     return paint;
 }

@@ -107,8 +107,7 @@ constexpr Task TASKS[] = {
      .title = "Assemble the low-detail tank",
      .text =
          "On the right the low model: the same tree and joints, a tenth of the triangles, no light and no "
-         "texture: glColor3ub gives each face the mean of its paint, as the sun shines there. Turn "
-         "something: "
+         "texture: glColor3ub gives each corner the mean of the paint there, in the sun. Turn something: "
          "both do the same.",
      .commands = {"turret_left", "turret_right", "gun_up", "gun_down", "turn_left", "turn_right",
                   "next_detail"},

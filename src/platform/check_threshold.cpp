@@ -68,7 +68,8 @@ void check_moving_away(const CheckSubject& subject, Evidence& evidence)
 }
 
 /// Measures how the models differ at a distance, as a person with the window of the lab would see it.
-lod::PictureDifference difference_at(const CheckSubject& subject, double distance)
+lod::PictureDifference difference_at(const CheckSubject& subject, double distance,
+                                     const lod::ShowingCriterion& criterion)
 {
     // d is measured at 1280 x 800; a larger window shows more, a smaller one less.
     CheckSubject window{subject.assets, subject.renderer, std::min(subject.width, MEASURED_WIDTH),
@@ -88,8 +89,7 @@ lod::PictureDifference difference_at(const CheckSubject& subject, double distanc
     const auto as_picture = [&](const std::vector<std::uint8_t>& rgba) {
         return lod::Picture{window.width, window.height, rgba};
     };
-    return lod::measure_difference(as_picture(high), as_picture(low), as_picture(none),
-                                   lod::ShowingCriterion{})
+    return lod::measure_difference(as_picture(high), as_picture(low), as_picture(none), criterion)
         .value_or(lod::PictureDifference{});
 }
 
@@ -103,19 +103,21 @@ void check_difference(const CheckSubject& subject, Evidence& evidence)
     const double d = app::State{}.show.threshold;
     // In a lower window the tank is as small as in the one of the measurement further away.
     const double as_seen = d * std::min(subject.height, MEASURED_HEIGHT) / MEASURED_HEIGHT;
-    const lod::PictureDifference beyond = difference_at(subject, as_seen * 1.02);
-    const lod::PictureDifference inside = difference_at(subject, as_seen / 20.0);
     const lod::ShowingCriterion criterion;
+    // From near by an eye sees not only patches but every pixel.
+    const lod::ShowingCriterion pixels{.patch = 1};
+    const lod::PictureDifference beyond = difference_at(subject, as_seen * 1.02, criterion);
+    const lod::PictureDifference inside = difference_at(subject, as_seen / 10.0, pixels);
     evidence.require(beyond.tank_pixels > 0 && !lod::shows(beyond, criterion),
                      "Beyond the d of " + app::in_metres(d) + " m high and low differ in " +
                          percent(beyond.share()) + " of the tank's patches: nobody sees that.",
                      "Beyond the d of " + app::in_metres(d) + " m high and low differ in " +
                          std::to_string(beyond.differing) + " of the tank's " +
                          std::to_string(beyond.tank_pixels) + " patches.");
-    evidence.require(lod::shows(inside, criterion),
-                     "Well inside of it they differ in " + percent(inside.share()) + " of them.",
+    evidence.require(lod::shows(inside, pixels),
+                     "Well inside of it they differ in " + percent(inside.share()) + " of its pixels.",
                      "Well inside of it they differ in only " + percent(inside.share()) +
-                         " of them: the threshold could be nearer.");
+                         " of its pixels: the threshold could be nearer.");
 }
 
 void check_noting(const CheckSubject& subject, Evidence& evidence)

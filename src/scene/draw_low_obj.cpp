@@ -37,7 +37,7 @@ std::uint8_t byte_of(float value)
 
 } // namespace
 
-void draw_low_obj(const mesh::ObjMesh& obj, std::span<const glm::vec3> paint, const LowPose& pose)
+void draw_low_obj(const mesh::ObjMesh& obj, std::span<const app::FacePaint> paint, const LowPose& pose)
 {
     std::vector<glm::vec3> lights;
     for (const glm::vec3& normal : obj.normals) {
@@ -45,9 +45,10 @@ void draw_low_obj(const mesh::ObjMesh& obj, std::span<const glm::vec3> paint, co
     }
     glBegin(GL_TRIANGLES);
     for (std::size_t face = 0; face < obj.faces.size(); ++face) {
-        for (const mesh::FaceVertex& corner : obj.faces[face].vertices) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const mesh::FaceVertex& corner = obj.faces[face].vertices[i];
             const glm::vec3 light = lights[static_cast<std::size_t>(corner.normal)];
-            const glm::vec3 seen = face < paint.size() ? paint[face] * light : light;
+            const glm::vec3 seen = face < paint.size() ? paint[face][i] * light : light;
             const Rgb colour{byte_of(seen.r), byte_of(seen.g), byte_of(seen.b)};
             glColor3ub(colour.red, colour.green, colour.blue);
             const glm::vec3& position = obj.positions[static_cast<std::size_t>(corner.position)];

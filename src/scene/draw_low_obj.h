@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/low_paint.h"
 #include "mesh/obj_mesh.h"
 
 #include <glm/vec3.hpp>
@@ -17,6 +18,6 @@ struct LowPose
 /// Draws a mesh of the low-detail tank: corners whose colours, by glColor3ub, are the paint of their faces
 /// times what light_on() their normals. So it looks as if it were lit where lighting is off. paint: of each
 /// face, in [0, 1]; faces beyond its end are white. Meant to be compiled into a display list.
-void draw_low_obj(const mesh::ObjMesh& obj, std::span<const glm::vec3> paint, const LowPose& pose);
+void draw_low_obj(const mesh::ObjMesh& obj, std::span<const app::FacePaint> paint, const LowPose& pose);
 
 } // namespace scene

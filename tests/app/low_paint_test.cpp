@@ -43,9 +43,13 @@ constexpr float GREEN = 0.375f;
 constexpr float BLUE = 0.625f;
 constexpr float BLACK = 0.875f;
 
-void expect_colour(const glm::vec3& paint, const glm::vec3& of_255)
+/// Expects that all corners of a face have a colour.
+void expect_colour(const FacePaint& face, const glm::vec3& of_255)
 {
-    EXPECT_LT(glm::distance(255.0f * paint, of_255), 1.0f) << paint.r << ", " << paint.g << ", " << paint.b;
+    for (const glm::vec3& paint : face) {
+        EXPECT_LT(glm::distance(255.0f * paint, of_255), 1.0f)
+            << paint.r << ", " << paint.g << ", " << paint.b;
+    }
 }
 
 TEST(LowPaint, IsWhatTheTextureShowsWhereTheHighMeshLiesAndLooksTheSameWay)
@@ -58,7 +62,7 @@ TEST(LowPaint, IsWhatTheTextureShowsWhereTheHighMeshLiesAndLooksTheSameWay)
     add_square(low, {-0.02f, 1.02f, -0.02f}, 1.1f * Z, 1.1f * X, 0.0f);
     add_square(low, {0, 0, 1.05f}, X, Y, 0.0f);
     add_square(low, {4.9f, 0.95f, 0}, Z, 1.2f * X, 0.0f);
-    const std::vector<glm::vec3> paint = paint_of(low, high, four_colours());
+    const std::vector<FacePaint> paint = paint_of(low, high, four_colours());
     ASSERT_EQ(paint.size(), 6u);
     for (std::size_t triangle : {0u, 1u}) {
         expect_colour(paint[triangle], {200, 0, 0});
@@ -70,15 +74,37 @@ TEST(LowPaint, IsWhatTheTextureShowsWhereTheHighMeshLiesAndLooksTheSameWay)
 TEST(LowPaint, IsTheMeanByAreaOfWhatItStandsFor)
 {
     mesh::ObjMesh high;
-    add_square(high, {0, 0, 0}, Z, 0.5f * X, RED);
-    add_square(high, {0.5f, 0, 0}, Z, 1.5f * X, GREEN);
+    for (int i = 0; i < 32; ++i) { // red and green in turn, green three times as wide
+        const float x = 0.0625f * static_cast<float>(i);
+        add_square(high, {x, 0, 0}, Z, 0.015625f * X, RED);
+        add_square(high, {x + 0.015625f, 0, 0}, Z, 0.046875f * X, GREEN);
+    }
     mesh::ObjMesh low;
     add_square(low, {0, 0, 0}, Z, 2.0f * X, 0.0f);
-    const std::vector<glm::vec3> paint = paint_of(low, high, four_colours());
-    // A quarter of it is red; each triangle has its own share of that.
-    const glm::vec3 mean = 127.5f * (paint[0] + paint[1]);
-    EXPECT_NEAR(mean.r, 50.0f, 2.0f);
-    EXPECT_NEAR(mean.g, 150.0f, 2.0f);
+    for (const FacePaint& face : paint_of(low, high, four_colours())) {
+        for (const glm::vec3& corner : face) {
+            EXPECT_NEAR(255.0f * corner.r, 50.0f, 10.0f);
+            EXPECT_NEAR(255.0f * corner.g, 150.0f, 10.0f);
+        }
+    }
+}
+
+TEST(LowPaint, OfACornerIsWhatIsNearIt)
+{
+    mesh::ObjMesh high;
+    add_square(high, {0, 0, 0}, Z, X, RED);
+    add_square(high, {1, 0, 0}, Z, X, GREEN);
+    mesh::ObjMesh low;
+    add_square(low, {0, 0, 0}, Z, 2.0f * X, 0.0f);
+    const std::vector<FacePaint> paint = paint_of(low, high, four_colours());
+    ASSERT_EQ(paint.size(), 2u);
+    for (std::size_t face = 0; face < 2; ++face) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const auto at = static_cast<std::size_t>(low.faces[face].vertices[corner].position);
+            const bool is_red = low.positions[at].x < 1.0f;
+            EXPECT_GT(paint[face][corner][is_red ? 0 : 1], 2.0f * paint[face][corner][is_red ? 1 : 0]);
+        }
+    }
 }
 
 TEST(LowPaint, LeavesOutWhatIsHidden)
@@ -89,7 +115,7 @@ TEST(LowPaint, LeavesOutWhatIsHidden)
     add_square(high, {0, 0.01f, 0}, Z, X, BLACK); // as dark as only shade is
     mesh::ObjMesh low;
     add_square(low, {0, 0, 0}, Z, X, 0.0f);
-    const std::vector<glm::vec3> paint = paint_of(low, high, four_colours());
+    const std::vector<FacePaint> paint = paint_of(low, high, four_colours());
     expect_colour(paint[0], {200, 0, 0});
 }
 
@@ -108,7 +134,7 @@ TEST(LowPaint, GivesNumbersForFacesWithoutArea)
 {
     mesh::ObjMesh flat;
     add_square(flat, {0, 0, 0}, Z, Z, RED);
-    for (const glm::vec3& paint : paint_of(flat, flat, four_colours())) {
+    for (const FacePaint& paint : paint_of(flat, flat, four_colours())) {
         expect_colour(paint, {255, 255, 255});
     }
 }
@@ -117,11 +143,11 @@ TEST(LowPaint, OfOurTankTellsRubberFromPaint)
 {
     const Assets& assets = own_assets();
     const auto mean = [&](tank::MeshKind kind) {
-        const std::vector<glm::vec3>& paint = assets.low_paint[tank::index_of(kind)];
+        const std::vector<FacePaint>& paint = assets.low_paint[tank::index_of(kind)];
         EXPECT_EQ(paint.size(), assets.low[tank::index_of(kind)].faces.size());
         glm::vec3 sum(0.0f);
-        for (const glm::vec3& colour : paint) {
-            sum += colour / static_cast<float>(paint.size());
+        for (const FacePaint& face : paint) {
+            sum += (face[0] + face[1] + face[2]) / static_cast<float>(3 * paint.size());
         }
         return sum;
     };

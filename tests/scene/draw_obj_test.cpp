@@ -53,6 +53,32 @@ TEST(DrawObj, GivesACornerWithoutTextureCoordinateTheOrigin)
     EXPECT_EQ(texture_coordinates, 6);
 }
 
+TEST(DrawShape, LeavesOutWiresAndNothingElse)
+{
+    mesh::ObjMesh obj;
+    const auto add = [&obj](float width, float length) {
+        const int first = static_cast<int>(obj.positions.size());
+        obj.positions.insert(obj.positions.end(), {{0, 0, 0}, {width, 0, 0}, {0, length, 0}});
+        mesh::Face face{};
+        for (int corner = 0; corner < 3; ++corner) {
+            face.vertices[static_cast<std::size_t>(corner)] = {.position = first + corner, .normal = 0};
+        }
+        obj.faces.push_back(face);
+    };
+    add(0.03f, 2.0f); // a whip antenna
+    add(0.03f, 0.5f); // as thin, but short
+    add(0.3f, 2.0f);
+    recording_gl::reset();
+    scene::draw_shape(obj);
+    std::vector<double> heights;
+    for (const Call& call : recording_gl::calls()) {
+        if (call.name == "glVertex3f") {
+            heights.push_back(call.arguments[1]);
+        }
+    }
+    EXPECT_EQ(heights, (std::vector<double>{0, 0, 0.5, 0, 0, 2}));
+}
+
 TEST(DrawObj, OfAnEmptyMeshDrawsNothing)
 {
     recording_gl::reset();

@@ -30,7 +30,8 @@ void add_smooth_line(const ShadedVertex& a, const ShadedVertex& b, float width, 
 
 void add_smooth_point(const ShadedVertex& vertex, bool attenuated, RasterOutput& out)
 {
-    const float radius = vertex.point_size <= 2 && !attenuated ? 1.0f : 0.5f * vertex.point_size;
+    const float radius =
+        vertex.point_size <= 2 && !attenuated ? 1.0f : 0.5f * std::max(1.0f, vertex.point_size);
     const float reciprocal = 1 / radius;
     const float full_within = 1 - 2 * reciprocal + reciprocal * reciprocal;
     std::array<ShadedVertex, 4> corners = {vertex, vertex, vertex, vertex};

@@ -10,7 +10,7 @@ namespace legacygl {
 void add_smooth_line(const ShadedVertex& a, const ShadedVertex& b, float width, RasterOutput& out);
 
 /// Draws a point as a disc whose alpha falls from 1 to 0 over its last pixel (OpenGL 1.5, 3.3). attenuated:
-/// its size comes from its distance, and nothing keeps it from getting smaller than a pixel.
+/// its size comes from its distance; it is then drawn no smaller than a pixel across, and else than two.
 void add_smooth_point(const ShadedVertex& vertex, bool attenuated, RasterOutput& out);
 
 } // namespace legacygl

@@ -18,12 +18,18 @@ function open(program, fragment) {
 /** Keeps the address's fragment and the state the same, without new entries in the history. */
 export function followAddress(program) {
   let timer = 0;
-  const write = () => {
+  let known = location.hash; // as it was opened or written last
+  const stop = () => {
     clearTimeout(timer);
     timer = 0;
+  };
+  const write = () => {
+    stop();
+    if (location.hash !== known) return; // somebody changed it: hashchange is on its way
     if (!program.newest || location.hash === (program.newest.link && `#${program.newest.link}`)) return;
     try {
       history.replaceState(history.state, "", addressOf(program));
+      known = location.hash;
     } catch {
       timer = setTimeout(write, PAUSE_MS); // the browser has had enough for now
     }
@@ -32,10 +38,15 @@ export function followAddress(program) {
     if (!timer) timer = setTimeout(write, PAUSE_MS);
   });
   addEventListener("pagehide", write);
-  addEventListener("hashchange", () => open(program, location.hash.slice(1)));
+  const openAddress = () => {
+    stop(); // what waits to be written is older
+    known = location.hash;
+    open(program, known.slice(1));
+  };
+  addEventListener("hashchange", openAddress);
   // A link to where the address is already changes nothing there, but the state may have moved since.
   document.addEventListener("click", (event) => {
     const link = event.target.closest?.("a[href^='#']");
-    if (link && link.hash === location.hash) open(program, link.hash.slice(1));
+    if (link && link.hash === location.hash) openAddress();
   });
 }

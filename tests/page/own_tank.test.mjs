@@ -88,6 +88,7 @@ test("tasks are checked on the user's tank, the page's links keep it, and a butt
     await page.evaluate(() => document.querySelector('a.tile[href="#task=2.4"]').click());
     await page.waitForFunction(() => tanklab.state().task === "2.4");
     assert.equal((await state()).tank, "own");
+    await page.waitForFunction(() => location.hash === "#task=2.4&tank=own"); // the address follows a moment later
     await page.evaluate(() => (location.hash = "#task=2.4")); // a link from elsewhere is taken at its word
     await page.waitForFunction(() => tanklab.state().tank === "lab");
     await page.evaluate(() => tanklab.command("tank", 1));

@@ -166,7 +166,7 @@ constexpr double FURTHEST = 400.0;
 constexpr double NEAREST_THRESHOLD = 1.0;
 
 /// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds that no patches
-/// differ from about 55 m on; there, side by side, an eye still finds the spots of camouflage, which few
+/// differ from about 32 m on; there, side by side, an eye still finds the spots of camouflage, which few
 /// large faces cannot have. Here a tank is 28 pixels long, and in pairs from all around its mean colour is
 /// off by 2 or 3 of 255; but side by side an attentive eye still finds the high one the more mottled.
 constexpr std::int64_t DEFAULT_THRESHOLD = 259'000;

@@ -1,9 +1,8 @@
 // Draws random programs as it is asked to: linked once with legacygl and once with the system's OpenGL.
 //
 // Reads lines from its input and answers each on its output:
-//   text SEED                the program's calls: how many lines, and the lines
-//   draw SEED [INDEX ...]    draws the program, or only those of its calls: how many bytes, and the bytes of
-//                            SIZE × SIZE pixels of four bytes followed by what was told (errors)
+//   SEED [INDEX ...]    draws the program, or only those of its calls: how many bytes, and the bytes of
+//                       SIZE × SIZE pixels of four bytes followed by what was told (errors)
 
 #include "fuzz/fuzz_program.h"
 
@@ -41,9 +40,8 @@ int main()
 {
     for (std::string line; std::getline(std::cin, line);) {
         std::istringstream words(line);
-        std::string wish;
         unsigned seed = 0;
-        words >> wish >> seed;
+        words >> seed;
         const random_gl::Program program = oracle::fuzz::make_program(seed);
         std::vector<std::size_t> kept;
         for (std::size_t i; words >> i;)

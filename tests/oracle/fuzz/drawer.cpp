@@ -43,7 +43,7 @@ void Drawer::ask(unsigned seed, const std::vector<std::size_t>& kept)
 {
     if (process_ < 0)
         start();
-    std::fprintf(to_, "draw %u", seed);
+    std::fprintf(to_, "%u", seed);
     for (const std::size_t i : kept)
         std::fprintf(to_, " %zu", i);
     std::fprintf(to_, "\n");

@@ -10,12 +10,12 @@ const WIDE = matchMedia("(min-width: 1000px)"); // as in style.css
 export function joinPanels({ canvas, program, bare, task }) {
   const buttons = [...document.querySelectorAll("[data-panel]")];
   let chosen = task ? "tasks" : (recall("panel") ?? (innerWidth >= ROOM_FOR_A_PANEL ? "keys" : ""));
-  let hits = recall("hits"); // "yes", "no", or null: while something is tested
-  let isTested = false;
+  let hits = recall("hits"); // "yes", "no", or null: once something is tested
+  let wasTested = false; // since the task was opened: a panel does not close under the hand that chose "None" in it
 
   const isOpen = (name) => {
     if (name !== "hits" || !WIDE.matches) return name === chosen;
-    return hits ? hits === "yes" : isTested;
+    return hits ? hits === "yes" : wasTested;
   };
   const show = () => {
     for (const button of buttons) {
@@ -49,11 +49,11 @@ export function joinPanels({ canvas, program, bare, task }) {
   let shownTask;
   program.listen((state) => {
     const id = state.task ?? state.figure;
-    const tested = state.probe !== "none";
     const opened = id !== shownTask && shownTask !== undefined && id !== null;
-    if (!opened && tested === isTested && shownTask !== undefined) return;
+    const tested = state.probe !== "none" || (wasTested && !opened);
+    if (!opened && tested === wasTested && shownTask !== undefined) return;
     shownTask = id;
-    isTested = tested;
+    wasTested = tested;
     if (opened) chosen = "tasks";
     show();
   });

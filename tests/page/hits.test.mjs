@@ -117,6 +117,20 @@ test("by keyboard a line is chosen and moved; its closest points and parameters 
   });
 });
 
+test("choosing that nothing is tested closes neither the panel nor takes the focus from the choice", async () => {
+  await withTank("chromium", { viewport: WINDOW, path: "#task=2.4" }, async ({ page }) => {
+    await page.waitForSelector("#hits .level");
+    await page.focus('#hits input[value="point"]');
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForFunction(() => tanklab.state().probe === "none");
+    await page.waitForFunction(() => /Nothing is tested/.test(document.querySelector("#hits .now").innerText));
+    assert.equal(await page.$eval("#hits", (panel) => panel.hidden), false);
+    assert.equal(await page.evaluate(() => document.activeElement.value), "none");
+    await page.evaluate(() => tanklab.openLink("task=1.1"));
+    await page.waitForFunction(() => document.getElementById("hits").hidden);
+  });
+});
+
 test("a point that its triangles reject is shown as rejected", async () => {
   await withTank("chromium", { viewport: WINDOW, path: "#figure=7d" }, async ({ page, state }) => {
     await page.waitForSelector("#hits .level");

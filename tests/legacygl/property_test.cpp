@@ -126,8 +126,8 @@ template <class Of> std::size_t first_difference(const Outcome& a, const Outcome
 class RandomStreams : public RecordedGl
 {
 protected:
-    /// Starts from an OpenGL as new, with a view that holds all of a stream: what it cuts off decides in which
-    /// order the triangles of a strip's quads come, and a list cannot know.
+    /// Starts from an OpenGL as new, with a view that holds all of a stream: what it cuts off decides in
+    /// which order the triangles of a strip's quads come, and a list cannot know.
     void renew(unsigned seed)
     {
         auto made = std::make_unique<legacygl::RecordingBackend>();

@@ -1,6 +1,7 @@
 // Random streams of commands on a real OpenGL ES 3: no ES error ever, lists replay what is drawn at once, and
 // glPopAttrib puts back what glPushAttrib saw. LEGACYGL_STREAMS sets how many streams a test makes.
 
+#define GL_GLEXT_PROTOTYPES
 #include "random_gl/random_stream.h"
 
 #include "platform/egl_context.h"
@@ -109,26 +110,35 @@ protected:
     }
     ~RandomStreams() override { legacygl_destroy(gl_); }
 
-    void renew()
+    /// What streams have that is made of quads. A list draws them otherwise, as Mesa's does: separate ones it
+    /// cuts along another diagonal where the last vertex provokes, and it cannot know which triangle of a
+    /// strip's quad comes first, which depends on what the view cuts off.
+    enum class Quads
+    {
+        none,
+        first_provokes, ///< Separate quads, rectangles, meshes and quadrics; the first vertex provokes.
+        all
+    };
+    void renew(Quads quads)
     {
         legacygl_destroy(gl_);
         gl_ = legacygl_create(platform::find_egl_function, WIDTH, HEIGHT, LEGACYGL_TARGET_OWN);
         ASSERT_NE(gl_, nullptr) << legacygl_last_message();
         random_gl::RandomStream::make_textures();
+        if (quads == Quads::first_provokes)
+            glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     }
-    /// Whether streams have quads: a list draws them otherwise, as Mesa's does, which cuts them along another
-    /// diagonal.
-    enum class Quads : bool
-    {
-        none,
-        some
-    };
     /// A stream without what may not stand in a list, or leaves undefined what is current.
     static random_gl::RandomStream stream(unsigned seed, Quads quads)
     {
-        if (quads == Quads::some)
+        if (quads == Quads::all)
             return random_gl::RandomStream(
                 seed, {Feature::display_lists, Feature::copied_textures, Feature::arrays});
+        if (quads == Quads::first_provokes)
+            return random_gl::RandomStream(seed, {Feature::display_lists, Feature::quad_strips,
+                                                  Feature::provoking_vertex, Feature::arrays,
+                                                  Feature::copied_textures, Feature::texture_parameters,
+                                                  Feature::texture_combiners, Feature::second_texture_unit});
         return random_gl::RandomStream(
             seed, {Feature::display_lists, Feature::quads, Feature::quad_strips, Feature::rectangles,
                    Feature::meshes, Feature::quadrics, Feature::arrays, Feature::copied_textures,
@@ -163,13 +173,13 @@ TEST_F(RandomStreams, ReplayedFromListsLeaveTheSameState)
 {
     for (unsigned seed = 0; seed < stream_count(); ++seed) {
         // Few have all: each makes shaders of its own.
-        const Quads quads = seed % 8 == 0 ? Quads::some : Quads::none;
-        renew();
+        const Quads quads = seed % 8 == 0 ? Quads::all : Quads::none;
+        renew(quads);
         run(seed, quads);
         const std::vector<double> direct = visible_state();
         glFinish();
         ASSERT_EQ(es_error_(), GLenum{GL_NO_ERROR}) << "seed " << seed;
-        renew();
+        renew(quads);
         compile_and_call(seed, quads);
         ASSERT_EQ(direct, visible_state()) << "seed " << seed;
         glFinish();
@@ -180,11 +190,12 @@ TEST_F(RandomStreams, ReplayedFromListsLeaveTheSameState)
 TEST_F(RandomStreams, ReplayedFromListsLeaveTheSamePicture)
 {
     for (unsigned seed = 0; seed < stream_count(); ++seed) {
-        renew();
-        run(seed, Quads::none);
+        const Quads quads = seed % 4 == 0 ? Quads::first_provokes : Quads::none;
+        renew(quads);
+        run(seed, quads);
         const std::vector<GLubyte> direct = pixels();
-        renew();
-        compile_and_call(seed, Quads::none);
+        renew(quads);
+        compile_and_call(seed, quads);
         const std::vector<GLubyte> replayed = pixels();
         int differing = 0, greatest = 0;
         for (std::size_t i = 0; i < direct.size(); ++i) {
@@ -197,9 +208,9 @@ TEST_F(RandomStreams, ReplayedFromListsLeaveTheSamePicture)
 
 TEST_F(RandomStreams, PoppedAttributesAreThosePushed)
 {
-    renew();
+    renew(Quads::all);
     for (unsigned seed = 0; seed < 20 * stream_count(); ++seed) {
-        random_gl::RandomStream changes = stream(100000 + seed, Quads::some);
+        random_gl::RandomStream changes = stream(100000 + seed, Quads::all);
         for (int i = 0; i < 10; ++i)
             changes.state();
         changes.program().run();

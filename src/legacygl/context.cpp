@@ -72,7 +72,6 @@ MatrixStack& Context::current_matrix_stack()
 void Context::store_followed_color()
 {
     LightingState& lighting = state.lighting;
-    immediate.store_current();
     const glm::vec4 color = state.current[index_of(Attribute::color)];
     for (int face = 0; face < 2; ++face)
         for (int p = 0; p < MATERIAL_PROPERTY_COUNT; ++p)

@@ -31,7 +31,7 @@ void VertexAssembler::set_wanted(std::uint32_t mask)
 void VertexAssembler::begin(GLenum mode)
 {
     if (!has_vertices())
-        load_template();
+        fit_format();
     inside_ = true;
     began_here_ = true;
     set_between_ = 0;
@@ -51,8 +51,7 @@ void VertexAssembler::end()
     if (!inside_)
         resume(UNKNOWN_MODE);
     close_primitive(true);
-    store_current();
-    in_template_ = {};
+    fits_ = {};
     inside_ = false;
     room_ = 0;
 }
@@ -81,8 +80,7 @@ VertexBatch VertexAssembler::take()
 /// the same. In a list it must not, where an attribute means that the list has set it.
 void VertexAssembler::clear()
 {
-    store_current();
-    in_template_ = {};
+    fits_ = {};
     for (int i = 0; i < ATTRIBUTE_COUNT; ++i)
         if (use_ == Use::list || (i != 0 && !batch_.varies(static_cast<Attribute>(i))))
             batch_.format.components[i] = 0;
@@ -100,38 +98,23 @@ void VertexAssembler::clear()
 
 void VertexAssembler::lay_out()
 {
-    floats_ = 0;
-    for (int i = 0; i < ATTRIBUTE_COUNT; ++i) {
-        offsets_[i] = floats_;
-        floats_ += batch_.format.components[i];
+    const VertexFormat& format = batch_.format;
+    floats_ = format.components[0];
+    copied_count_ = 0;
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i) {
+        if (format.components[i] != 0)
+            copied_[copied_count_++] = {i, floats_};
+        floats_ += format.components[i];
     }
 }
 
-/// Takes what is current into the template. The batch has no vertices yet.
-void VertexAssembler::load_template()
+/// Gives attributes the components that their current values need. The batch has no vertices yet.
+void VertexAssembler::fit_format()
 {
     for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
         if (std::uint8_t& present = batch_.format.components[i])
             present = static_cast<std::uint8_t>(significant_components((*current_)[i], present));
     lay_out();
-    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-        for (int c = 0; c < batch_.format.components[i]; ++c)
-            template_[offsets_[i] + c] = (*current_)[i][c];
-}
-
-void VertexAssembler::store_current()
-{
-    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
-        store_current(i);
-}
-
-void VertexAssembler::store_current(int i)
-{
-    if (in_template_[i] == 0)
-        return;
-    (*current_)[i] = DEFAULT_COMPONENTS;
-    for (int c = 0; c < in_template_[i]; ++c)
-        (*current_)[i][c] = template_[offsets_[i] + c];
 }
 
 /// Finds room for one more vertex at least.
@@ -156,7 +139,7 @@ void VertexAssembler::other_vertex(int components, glm::vec4 position)
         widen(Attribute::position, components, position);
     if (room_ == 0)
         make_room();
-    append(batch_.format.components[0], position);
+    append(position);
 }
 
 /// Sets an attribute for the first time in a primitive, or outside of one, or with other components. One that
@@ -164,9 +147,8 @@ void VertexAssembler::other_vertex(int components, glm::vec4 position)
 void VertexAssembler::set(Attribute attribute, int components, glm::vec4 value)
 {
     const int i = index_of(attribute);
-    store_current(i);
-    in_template_[i] = 0;
     const bool wanted = wanted_ & (1u << i);
+    fits_[i] = 0;
     if ((has_vertices() || batch_.format.components[i] != 0) && wanted && !fits(i, components, value))
         widen(attribute, components, value);
     batch_.attributes_set |= 1u << i;
@@ -175,13 +157,8 @@ void VertexAssembler::set(Attribute attribute, int components, glm::vec4 value)
     else
         set_between_ |= 1u << i;
     (*current_)[i] = value;
-    const int present = batch_.format.components[i];
-    if (!wanted)
-        offsets_[i] = UNWANTED + 4 * i;
-    for (int c = 0; c < (wanted ? present : 4); ++c)
-        template_[offsets_[i] + c] = value[c];
-    if (inside_ && (!wanted || components <= present))
-        in_template_[i] = components;
+    if (inside_)
+        fits_[i] = wanted ? batch_.format.components[i] : 4;
 }
 
 void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value)
@@ -189,7 +166,7 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
     const int i = index_of(attribute);
     const VertexFormat old = batch_.format;
     const bool is_new = !old.has(attribute);
-    const glm::vec4 before = (*current_)[i]; // Up to date: set() comes before, and a position is none.
+    const glm::vec4 before = (*current_)[i]; // A position is none.
 
     int wanted = components;
     if (attribute == Attribute::normal)
@@ -218,8 +195,6 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
     };
 
     std::array<float, MAXIMUM_VERTEX_FLOATS> widened{};
-    convert(template_.data(), widened.data());
-    std::copy_n(widened.begin(), floats_, template_.begin());
     // In place, from the last vertex to the first: each moves behind where it was.
     if (batch_.vertices.size() < static_cast<std::size_t>(batch_.vertex_count) * floats_)
         batch_.vertices.resize(static_cast<std::size_t>(batch_.vertex_count + 1) * floats_ * 2);
@@ -227,9 +202,7 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
         convert(batch_.vertices.data() + v * old_floats, widened.data());
         std::copy_n(widened.data(), floats_, batch_.vertices.data() + v * floats_);
     }
-    for (int a = 0; a < ATTRIBUTE_COUNT; ++a)
-        if (batch_.format.components[a] != 0)
-            offsets_[a] = batch_.format.offset(static_cast<Attribute>(a));
+    lay_out();
     room_ = 0; // Vertices lie elsewhere now.
 }
 

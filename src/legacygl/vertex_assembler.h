@@ -4,6 +4,7 @@
 #include "legacygl/vertex_format.h"
 
 #include <GL/gl.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <array>
 #include <cstdint>
@@ -76,11 +77,10 @@ struct VertexBatch : BatchTraits
 
 /// Collects glBegin, attributes, glVertex and glEnd into a batch.
 ///
-/// Follows Mesa's model: a template vertex holds the current attributes, and glVertex appends a copy. An
-/// attribute that first differs in the middle of a batch widens the format and fills in what came before.
-/// Inside of a primitive only the template is kept up to date; the current values follow at its end.
-/// One object serves immediate mode, where the values before are known, and one each list being
-/// compiled, where they are those of the moment the list is called.
+/// Follows Mesa's model: glVertex appends a copy of those current attributes that the format has. An
+/// attribute that first differs in the middle of a batch widens the format and fills in what came before. One
+/// object serves immediate mode, where the values before are known, and one each list being compiled, where
+/// they are those of the moment the list is called.
 class VertexAssembler
 {
 public:
@@ -117,14 +117,7 @@ public:
     void set_indexed() { indexed_ = true; }
     /// Goes on with a primitive that a previous batch began.
     void resume(GLenum mode);
-    /// Returns the current values, up to date.
-    const CurrentAttributes& current()
-    {
-        store_current();
-        return *current_;
-    }
-    /// Brings the current values up to date, which lag behind inside of a primitive.
-    void store_current();
+    const CurrentAttributes& current() const { return *current_; }
     bool inside() const { return inside_; }
     GLenum mode() const { return mode_; }
 
@@ -132,18 +125,17 @@ public:
     void attribute(Attribute attribute, int components, glm::vec4 value)
     {
         const int i = index_of(attribute);
-        if (in_template_[i] != components) [[unlikely]]
+        if (components > fits_[i]) [[unlikely]]
             return set(attribute, components, value);
-        float* slot = template_.data() + offsets_[i];
-        for (int c = 0; c < components; ++c)
-            slot[c] = value[c];
+        store(glm::value_ptr((*current_)[i]), four_floats(value));
     }
 
+    /// Adds a vertex; `components` of its position were given, the others are the defaults.
     void vertex(int components, glm::vec4 position)
     {
-        if (room_ == 0 || batch_.format.components[0] != components) [[unlikely]]
+        if (room_ == 0 || components > batch_.format.components[0]) [[unlikely]]
             return other_vertex(components, position);
-        append(components, position);
+        append(position);
     }
 
     /// Notes that the material changes before the next vertex. now: the materials without the change.
@@ -164,10 +156,12 @@ public:
     void clear();
 
 private:
-    /// What is copied at once.
+    /// Attributes are written and copied by four floats at once: what a copy reads soon after a write of
+    /// another size has to wait until that write is done.
     static constexpr int BLOCK = 4;
-    /// Where the template keeps attributes that are given but not wanted, one after the other.
-    static constexpr int UNWANTED = MAXIMUM_VERTEX_FLOATS + BLOCK;
+    using FourFloats [[gnu::vector_size(BLOCK * sizeof(float))]] = float;
+    static FourFloats four_floats(const glm::vec4& v) { return FourFloats{v.x, v.y, v.z, v.w}; }
+    static void store(float* to, FourFloats four) { std::memcpy(to, &four, sizeof four); }
 
     bool known(int i) const { return use_ == Use::immediate || (batch_.attributes_set & (1u << i)); }
     /// Whether the format can hold the value: an attribute outside the format is one constant for all.
@@ -178,34 +172,36 @@ private:
     }
     void set(Attribute attribute, int components, glm::vec4 value);
     void other_vertex(int components, glm::vec4 position);
-    /// Adds a vertex with `present` components of its position, for which there is room.
-    void append(int present, glm::vec4 position)
+    /// Adds a vertex, for which there is room. Each attribute overwrites what the one before wrote beyond its
+    /// own components, and the next vertex what the last one did.
+    void append(glm::vec4 position)
     {
-        float* out = next_;
-        for (int c = 0; c < present; ++c)
-            out[c] = position[c];
-        // In whole blocks, over the vertex's end: the next vertex overwrites that.
-        for (int c = present; c < floats_; c += BLOCK)
-            std::memcpy(out + c, template_.data() + c, BLOCK * sizeof(float));
-        next_ = out + floats_;
+        store(next_, four_floats(position));
+        for (int k = 0; k < copied_count_; ++k)
+            std::memcpy(next_ + copied_[k].offset, &(*current_)[copied_[k].attribute], BLOCK * sizeof(float));
+        next_ += floats_;
         --room_;
         ++batch_.vertex_count;
     }
     void widen(Attribute attribute, int components, glm::vec4 value);
     void close_primitive(bool ends);
     void make_room();
-    void store_current(int i);
-    void load_template();
     void lay_out();
+    void fit_format();
 
     CurrentAttributes* current_;
     Use use_;
     VertexBatch batch_;
-    std::array<float, UNWANTED + 4 * ATTRIBUTE_COUNT> template_{};
-    std::array<int, ATTRIBUTE_COUNT> offsets_{}; ///< In the template.
-    /// Of an attribute that was set in this primitive: with how many components, when giving as many again
-    /// only changes the template. Its current value is there.
-    std::array<int, ATTRIBUTE_COUNT> in_template_{};
+    /// Of an attribute that was set in this primitive: how many components can be given to change nothing but
+    /// the current value.
+    std::array<int, ATTRIBUTE_COUNT> fits_{};
+    /// What glVertex copies: the format's attributes, and where they are in a vertex, in floats.
+    struct Copied
+    {
+        int attribute, offset;
+    };
+    std::array<Copied, ATTRIBUTE_COUNT> copied_{};
+    int copied_count_ = 0;
     int floats_ = 0;
     float* next_ = nullptr;  ///< Where the next vertex goes, if there is room.
     std::uint32_t room_ = 0; ///< How many vertices fit there; 0 outside of a primitive.

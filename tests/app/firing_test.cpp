@@ -1,31 +1,17 @@
 #include "app/firing.h"
 
 #include "allocations.h"
-#include "app/camera_view.h"
-#include "app/pointer.h"
 #include "app/simulation.h"
 #include "app/tasks.h"
 #include "app/update.h"
 #include "fixtures.h"
+#include "simulation_steps.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace app {
 namespace {
-
-void open(Simulation& simulation, std::string_view fragment)
-{
-    EXPECT_TRUE(simulation.open_link(fragment).messages.empty()) << fragment;
-}
-
-void steps(Simulation& simulation, int count)
-{
-    for (int i = 0; i < count; ++i) {
-        simulation.step();
-    }
-}
 
 constexpr std::string_view ACROSS = "line_ax=20&line_ay=2.4&line_az=1&line_bx=19&line_by=2.4&line_bz=1";
 
@@ -269,100 +255,6 @@ TEST(FiringTest, BadEventsInLinksAreNamed)
     EXPECT_TRUE(open_link(state, "task=2.6&event=none").messages.empty());
     EXPECT_EQ(link(state), "task=2.6&event=none");
     EXPECT_FALSE(state.shot.flies);
-}
-
-TEST(FiringTest, AimingFiresFromTheEyeThroughThePlaceInTheWindow)
-{
-    Simulation simulation(own_assets());
-    for (glm::dvec2 aim : {glm::dvec2(0.0), glm::dvec2(0.3, -0.2), glm::dvec2(-0.5, 0.4)}) {
-        open(simulation, "orbit=70&tilt=25&distance=30");
-        simulation.apply("aim_x", aim.x);
-        simulation.apply("aim_y", aim.y);
-        const CameraView camera = camera_view(simulation.state(), simulation.assets());
-        const ViewAxes axes = view_axes(camera);
-        ASSERT_EQ(simulation.apply("fire_at_aim", 1.0), "");
-        const Projectile& projectile = simulation.state().projectile;
-        EXPECT_EQ(projectile.aim, glm::dvec2(0.0));
-        EXPECT_LT(glm::distance(projectile.a, camera.eye), 0.001);
-        const glm::dvec3 way = projectile.b - projectile.a;
-        const double depth = glm::dot(way, axes.forward);
-        EXPECT_NEAR(glm::dot(way, axes.right) / (depth * axes.heights_per_depth), aim.x, 2e-4);
-        EXPECT_NEAR(glm::dot(way, axes.up) / (depth * axes.heights_per_depth), aim.y, 2e-4);
-        EXPECT_TRUE(simulation.state().shot.flies);
-    }
-    open(simulation, "orbit=70&tilt=25&distance=30");
-    simulation.apply("fire_at_aim", 1.0); // through the middle: at the tank
-    steps(simulation, 300);
-    EXPECT_GT(simulation.touches(), 0u);
-    open(simulation, "x=200&orbit=90&tilt=0&distance=400");
-    simulation.apply("aim_x", 4.0);
-    EXPECT_NE(simulation.apply("fire_at_aim", 1.0), "");
-    EXPECT_FALSE(simulation.state().shot.flies);
-}
-
-TEST(FiringTest, DraggingMovesTheHandleUnderThePointer)
-{
-    Simulation simulation(own_assets());
-    open(simulation, "probe=point&point_x=1&orbit=30&distance=12");
-    const CameraView camera = camera_view(simulation.state(), simulation.assets());
-    const ViewAxes axes = view_axes(camera);
-    const auto seen = [&] {
-        const glm::dvec3 from_eye = simulation.state().projectile.point - camera.eye;
-        const double height = glm::dot(from_eye, axes.forward) * axes.heights_per_depth;
-        return glm::dvec3(glm::dot(from_eye, axes.right) / height, glm::dot(from_eye, axes.up) / height,
-                          glm::dot(from_eye, axes.forward));
-    };
-    const glm::dvec3 start = seen();
-    EXPECT_EQ(handle_at(simulation.state(), simulation.assets(), glm::dvec2(start) + glm::dvec2(0.01, 0.0)),
-              Handle::point);
-    EXPECT_FALSE(
-        handle_at(simulation.state(), simulation.assets(), glm::dvec2(start) + glm::dvec2(0.1, 0.0)));
-    simulation.apply("aim_x", start.x + 0.1);
-    simulation.apply("aim_y", start.y + 0.05);
-    ASSERT_EQ(simulation.apply("move_to_aim", 1.0), "");
-    EXPECT_NEAR(seen().x, start.x + 0.1, 1e-4);
-    EXPECT_NEAR(seen().y, start.y + 0.05, 1e-4);
-    EXPECT_NEAR(seen().z, start.z, 1e-9);
-    open(simulation, "probe=segment");
-    EXPECT_FALSE(handle_at(simulation.state(), simulation.assets(), glm::dvec2(9.0)));
-}
-
-TEST(FiringTest, LevelsSwitchExactlyOnceACrossing)
-{
-    Simulation simulation(own_assets());
-    std::mt19937_64 random(67);
-    for (double speed : {0.01, 0.7, 5.0, 40.0}) {
-        open(simulation, "distance=40&threshold=60");
-        EXPECT_EQ(simulation.frame().tanks[0].level, Level::high);
-        for (double distance = 40.0; distance < 90.0; distance += speed) {
-            simulation.apply("distance", distance + 0.3 * (next_unit(random) - 0.5));
-            simulation.step();
-        }
-        simulation.apply("distance", 90.0);
-        EXPECT_EQ(simulation.level_switches(), 1u) << speed;
-        EXPECT_EQ(simulation.frame().tanks[0].level, Level::low);
-        for (double distance = 90.0; distance > 40.0; distance -= speed) {
-            simulation.apply("distance", distance);
-            simulation.step();
-        }
-        simulation.apply("distance", 40.0);
-        EXPECT_EQ(simulation.level_switches(), 2u) << speed;
-        EXPECT_EQ(simulation.frame().tanks[0].level, Level::high);
-    }
-    open(simulation, "distance=61&threshold=60"); // within the band a link shows the far side of d as low
-    EXPECT_EQ(simulation.frame().tanks[0].level, Level::low);
-    open(simulation, "distance=80&detail=high");
-    EXPECT_EQ(simulation.frame().tanks[0].level, Level::high);
-    open(simulation, "distance=20&detail=low");
-    EXPECT_EQ(simulation.frame().tanks[0].level, Level::low);
-}
-
-TEST(FiringTest, NotingTheThresholdMakesThisDistanceIt)
-{
-    Simulation simulation(own_assets());
-    open(simulation, "distance=123.456");
-    simulation.apply("note_threshold", 1.0);
-    EXPECT_EQ(simulation.state().show.threshold, 123.456);
 }
 
 TEST(FiringTest, HitsSparksAndJointsGoOnAtEitherLevel)

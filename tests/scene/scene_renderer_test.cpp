@@ -1,16 +1,10 @@
-#include "scene/scene_renderer.h"
-
 #include "allocation_count.h"
-#include "fixtures.h"
-#include "recording_gl.h"
-#include "scene/read_pixels.h"
+#include "scene_renderer_fixture.h"
 #include "tank/part_matrices.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
-#include <numbers>
-#include <set>
 #include <string>
 #include <tuple>
 
@@ -21,53 +15,6 @@ namespace {
 
 using recording_gl::Call;
 using recording_gl::ListCall;
-
-class SceneRenderer : public ::testing::Test
-{
-protected:
-    void SetUp() override
-    {
-        recording_gl::reset();
-        ASSERT_EQ(renderer.load(assets), "");
-        loading = recording_gl::take_calls();
-    }
-
-    std::vector<Call> draw(int width = 640, int height = 400)
-    {
-        renderer.draw(app::make_frame(state, assets), width, height);
-        return recording_gl::take_calls();
-    }
-
-    bool is_of_tank(const ListCall& call) const
-    {
-        for (std::size_t mesh = 0; mesh < tank::MESH_KIND_COUNT; ++mesh) {
-            if (call.list == renderer.tank_lists().list(static_cast<tank::MeshKind>(mesh))) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /// The list calls of the frame, with what loading and the frame itself have enabled.
-    recording_gl::Replay replay(const std::vector<Call>& frame) const
-    {
-        std::vector<Call> all = loading;
-        all.insert(all.end(), frame.begin(), frame.end());
-        return recording_gl::replay(all);
-    }
-
-    app::Assets assets = scene_test::assets();
-    app::State state;
-    scene::SceneRenderer renderer;
-    std::vector<Call> loading;
-};
-
-const Call* first_named(const std::vector<Call>& calls, std::string_view name)
-{
-    const auto found =
-        std::find_if(calls.begin(), calls.end(), [&](const Call& call) { return call.name == name; });
-    return found == calls.end() ? nullptr : &*found;
-}
 
 TEST_F(SceneRenderer, DrawsEveryPartUnderViewTimesItsWorldMatrix)
 {
@@ -135,101 +82,6 @@ TEST_F(SceneRenderer, FixesTheLightsToTheWorld)
             }
         }
     }
-}
-
-TEST_F(SceneRenderer, FitsTheViewToTheWindow)
-{
-    const std::vector<Call> frame = draw(300, 200);
-    ASSERT_NE(first_named(frame, "glViewport"), nullptr);
-    EXPECT_EQ(first_named(frame, "glViewport")->arguments, (std::vector<double>{0, 0, 300, 200}));
-    ASSERT_NE(first_named(frame, "gluPerspective"), nullptr);
-    EXPECT_NEAR(first_named(frame, "gluPerspective")->arguments[0], 45.0, 1e-12);
-    EXPECT_EQ(first_named(frame, "gluPerspective")->arguments[1], 1.5);
-}
-
-TEST_F(SceneRenderer, ShowsAsMuchFromSideToSideInANarrowWindowAsInOneOfFiveToFour)
-{
-    const auto half_width = [&](int width, int height) {
-        const std::vector<Call> frame = draw(width, height);
-        const Call* perspective = first_named(frame, "gluPerspective");
-        return std::tan(perspective->arguments[0] * std::numbers::pi / 360.0) * perspective->arguments[1];
-    };
-    EXPECT_NEAR(half_width(390, 844), half_width(500, 400), 1e-12);
-    EXPECT_NEAR(half_width(400, 400), half_width(500, 400), 1e-12);
-    EXPECT_GT(half_width(600, 400), half_width(500, 400));
-}
-
-TEST_F(SceneRenderer, DividesTheWindowAmongFourViewsEachWithItsOwnCamera)
-{
-    state.camera.view = app::View::four;
-    const std::vector<Call> frame = draw(640, 400);
-    std::vector<std::vector<double>> viewports;
-    std::vector<std::vector<double>> scissors;
-    std::set<std::vector<double>> eyes;
-    std::size_t perspectives = 0;
-    for (const Call& call : frame) {
-        if (call.name == "glViewport") {
-            viewports.push_back(call.arguments);
-        } else if (call.name == "glScissor") {
-            scissors.push_back(call.arguments);
-        } else if (call.name == "gluLookAt") {
-            eyes.insert(call.arguments);
-        } else if (call.name == "gluPerspective") {
-            perspectives += 1u;
-            EXPECT_NEAR(call.arguments[1], 1.6, 0.01);
-        }
-    }
-    ASSERT_EQ(viewports.size(), 4u);
-    EXPECT_EQ(scissors, viewports);
-    EXPECT_EQ(eyes.size(), 4u);
-    EXPECT_EQ(perspectives, 4u);
-    double covered = 0.0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const std::vector<double>& one = viewports[i];
-        covered += one[2] * one[3];
-        EXPECT_LE(one[0] + one[2], 640.0);
-        EXPECT_LE(one[1] + one[3], 400.0);
-        for (std::size_t j = 0; j < i; ++j) {
-            const std::vector<double>& other = viewports[j];
-            EXPECT_TRUE(one[0] + one[2] < other[0] || other[0] + other[2] < one[0] ||
-                        one[1] + one[3] < other[1] || other[1] + other[3] < one[1])
-                << i << " and " << j << " meet";
-        }
-    }
-    EXPECT_GT(covered, 0.98 * 640.0 * 400.0);
-    const recording_gl::Replay followed = replay(frame);
-    EXPECT_EQ(std::count_if(followed.list_calls.begin(), followed.list_calls.end(),
-                            [this](const ListCall& call) { return is_of_tank(call); }),
-              4 * static_cast<std::ptrdiff_t>(tank::PART_COUNT));
-    EXPECT_FALSE(std::binary_search(followed.final_enabled.begin(), followed.final_enabled.end(),
-                                    static_cast<unsigned>(GL_SCISSOR_TEST)));
-}
-
-TEST_F(SceneRenderer, DividesEvenATinyWindow)
-{
-    state.camera.view = app::View::four;
-    for (const Call& call : draw(1, 1)) {
-        if (call.name == "glViewport") {
-            EXPECT_EQ(call.arguments[2], 1.0); // a viewport of no width has no aspect
-            EXPECT_EQ(call.arguments[3], 1.0);
-        }
-    }
-}
-
-TEST_F(SceneRenderer, DrawsTheSightsCrossOverTheGunnersViewAlone)
-{
-    const auto crosses = [&](app::View view) {
-        state.camera.view = view;
-        std::size_t count = 0;
-        for (const ListCall& draw : replay(draw()).direct_draws) {
-            const bool is_in_the_eyes_frame = draw.modelview[3] == glm::dvec4(0.0, 0.0, 0.0, 1.0);
-            count += is_in_the_eyes_frame && !draw.is_enabled(GL_DEPTH_TEST) ? 1u : 0u;
-        }
-        return count;
-    };
-    EXPECT_GT(crosses(app::View::gunner), 0u);
-    EXPECT_EQ(crosses(app::View::orbit), 0u);
-    EXPECT_EQ(crosses(app::View::four), 0u);
 }
 
 TEST_F(SceneRenderer, DarkensTheGroundUnderAHullOnlyWhereASolidOneIsDrawn)
@@ -388,108 +240,6 @@ TEST_F(SceneRenderer, DrawsTheEdgesOfTheTanksAlone)
         EXPECT_TRUE(edges || !is_of_tank(call));
     }
     EXPECT_EQ(of_tanks, 2 * tank::PART_COUNT);
-}
-
-TEST_F(SceneRenderer, UploadsTheTextureWithFourBytesAPixelAndMipmaps)
-{
-    const Call* image = first_named(loading, "glTexImage2D");
-    ASSERT_NE(image, nullptr);
-    std::vector<double> expected = {0, GL_RGBA, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE};
-    for (std::size_t pixel = 0; pixel < 6; ++pixel) {
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            expected.push_back(static_cast<double>(assets.texture.pixels[pixel * 3 + channel]));
-        }
-        expected.push_back(255.0);
-    }
-    EXPECT_EQ(image->arguments, expected);
-    bool generates_mipmaps_before = false;
-    for (const Call* call = loading.data(); call != image; ++call) {
-        generates_mipmaps_before = generates_mipmaps_before || (call->name == "glTexParameteri" &&
-                                                                call->arguments[1] == GL_GENERATE_MIPMAP &&
-                                                                call->arguments[2] == GL_TRUE);
-    }
-    EXPECT_TRUE(generates_mipmaps_before);
-}
-
-TEST(SceneRendererLoading, KeepsTheAlphaOfATexture)
-{
-    recording_gl::reset();
-    app::Assets assets = scene_test::assets();
-    assets.texture = {.width = 1, .height = 1, .channels = 4, .pixels = {1, 2, 3, 4}};
-    scene::SceneRenderer renderer;
-    ASSERT_EQ(renderer.load(assets), "");
-    const std::vector<double>& arguments = first_named(recording_gl::calls(), "glTexImage2D")->arguments;
-    EXPECT_EQ(std::vector<double>(arguments.end() - 4, arguments.end()), (std::vector<double>{1, 2, 3, 4}));
-}
-
-TEST(SceneRendererLoading, PutsAnotherTankInThePlaceOfTheFirstAndDeletesWhatThatHad)
-{
-    recording_gl::reset();
-    const app::Assets first = scene_test::assets();
-    app::Assets second = scene_test::assets();
-    second.layout[tank::Part::turret].pivot = {7.0f, 8.0f, 9.0f};
-    scene::SceneRenderer renderer;
-    ASSERT_EQ(renderer.load(first), "");
-    const unsigned old_list = renderer.tank_lists().list(tank::MeshKind::body);
-    const unsigned old_low_list = renderer.tank_lists().low_list(tank::MeshKind::body, 0.0);
-    const unsigned old_shape_list = renderer.tank_lists().shape_list(tank::MeshKind::body);
-    const auto before = static_cast<std::ptrdiff_t>(recording_gl::calls().size());
-    ASSERT_EQ(renderer.load_tank(second), "");
-    const std::vector<Call> calls(recording_gl::calls().begin() + before, recording_gl::calls().end());
-    std::vector<double> deleted;
-    for (const Call& call : calls) {
-        if (call.name == "glDeleteLists") {
-            deleted.push_back(call.arguments[0]);
-        }
-    }
-    EXPECT_EQ(deleted, (std::vector<double>{double(old_list), double(old_low_list), double(old_shape_list)}));
-    ASSERT_NE(first_named(calls, "glDeleteTextures"), nullptr);
-    EXPECT_EQ(std::count_if(calls.begin(), calls.end(),
-                            [](const Call& call) { return call.name == "glTexImage2D"; }),
-              1);
-    EXPECT_EQ(&renderer.assets(), &second);
-}
-
-TEST(SceneRendererLoading, DrawsBothSidesOfFacesThatAreNoClosedSurface)
-{
-    for (const bool is_one_sided : {true, false}) {
-        recording_gl::reset();
-        app::Assets assets = scene_test::assets();
-        assets.is_one_sided = is_one_sided;
-        scene::SceneRenderer renderer;
-        ASSERT_EQ(renderer.load(assets), "");
-        recording_gl::reset();
-        app::State state;
-        state.show.ground = false;
-        renderer.draw(app::make_frame(state, assets), 320, 200);
-        const auto culls = [](const Call& call) {
-            return call.name == "glEnable" && call.arguments[0] == GL_CULL_FACE;
-        };
-        const auto& calls = recording_gl::calls();
-        EXPECT_EQ(std::any_of(calls.begin(), calls.end(), culls), is_one_sided);
-    }
-}
-
-TEST(SceneRendererLoading, SaysWhatOpenGlRefused)
-{
-    const app::Assets assets = scene_test::assets();
-    recording_gl::reset();
-    recording_gl::set_error(GL_OUT_OF_MEMORY);
-    EXPECT_EQ(scene::SceneRenderer().load(assets),
-              "OpenGL could not take the tank's meshes and texture: GL_OUT_OF_MEMORY.");
-    recording_gl::reset();
-    recording_gl::have_no_list_names();
-    EXPECT_NE(scene::SceneRenderer().load(assets), "");
-}
-
-TEST(ReadPixels, GivesFourBytesAPixel)
-{
-    recording_gl::reset();
-    const std::vector<std::uint8_t> rgba = scene::read_pixels(3, 2);
-    ASSERT_EQ(rgba.size(), 24u);
-    EXPECT_EQ(rgba[23], 23);
-    EXPECT_EQ(recording_gl::calls().at(0).arguments,
-              (std::vector<double>{0, 0, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE}));
 }
 
 } // namespace

@@ -69,6 +69,22 @@ void dispatch_now(const char* name, Operation operation, Args... args)
         execute<where>(*gl, name, operation, args...);
 }
 
+/// What dispatch_vertex does where calls are captured or a list is compiled. By itself, so that the rest
+/// needs no stack.
+template <class Operation, class... Args>
+[[gnu::noinline]] void dispatch_vertex_watched(Context& gl, const char* name, Operation operation,
+                                               Args... args)
+{
+    if (gl.capture.active())
+        gl.note(name, args...);
+    if (gl.compiler) {
+        operation(gl.compiler->vertices(), args...);
+        if (!gl.compiler->executes())
+            return;
+    }
+    operation(gl.immediate, args...);
+}
+
 /// Sends glVertex, glNormal … to the vertices being assembled: now, in the list, or both.
 template <class Operation, class... Args>
 void dispatch_vertex(const char* name, Operation operation, Args... args)
@@ -77,15 +93,8 @@ void dispatch_vertex(const char* name, Operation operation, Args... args)
     if (!gl)
         return;
     // One branch for what is rare: these are the calls that programs make most.
-    if (static_cast<int>(gl->capture.active()) | static_cast<int>(gl->compiler.has_value())) [[unlikely]] {
-        if (gl->capture.active())
-            gl->note(name, args...);
-        if (gl->compiler) {
-            operation(gl->compiler->vertices(), args...);
-            if (!gl->compiler->executes())
-                return;
-        }
-    }
+    if (static_cast<int>(gl->capture.active()) | static_cast<int>(gl->compiler.has_value())) [[unlikely]]
+        return dispatch_vertex_watched(*gl, name, operation, args...);
     operation(gl->immediate, args...);
 }
 

@@ -128,8 +128,9 @@ void VertexAssembler::make_room()
 }
 
 /// Adds a vertex where there is no room yet, the position has other components, or no primitive was begun.
-void VertexAssembler::other_vertex(int components, glm::vec4 position)
+void VertexAssembler::other_vertex(int components, float x, float y, float z, float w)
 {
+    const glm::vec4 position(x, y, z, w);
     if (!inside_) {
         if (use_ == Use::immediate)
             return; // Undefined by the specification; nothing is drawn.
@@ -144,8 +145,9 @@ void VertexAssembler::other_vertex(int components, glm::vec4 position)
 
 /// Sets an attribute for the first time in a primitive, or outside of one, or with other components. One that
 /// the format has no room for widens the format, or is the same for all vertices.
-void VertexAssembler::set(Attribute attribute, int components, glm::vec4 value)
+void VertexAssembler::set(Attribute attribute, int components, float x, float y, float z, float w)
 {
+    const glm::vec4 value(x, y, z, w);
     const int i = index_of(attribute);
     const bool wanted = wanted_ & (1u << i);
     fits_[i] = 0;

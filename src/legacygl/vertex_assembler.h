@@ -126,7 +126,7 @@ public:
     {
         const int i = index_of(attribute);
         if (components > fits_[i]) [[unlikely]]
-            return set(attribute, components, value);
+            return set(attribute, components, value.x, value.y, value.z, value.w);
         store(glm::value_ptr((*current_)[i]), four_floats(value));
     }
 
@@ -134,7 +134,7 @@ public:
     void vertex(int components, glm::vec4 position)
     {
         if (room_ == 0 || components > batch_.format.components[0]) [[unlikely]]
-            return other_vertex(components, position);
+            return other_vertex(components, position.x, position.y, position.z, position.w);
         append(position);
     }
 
@@ -170,16 +170,19 @@ private:
         const int present = batch_.format.components[i];
         return present ? components <= present : known(i) && (*current_)[i] == value;
     }
-    void set(Attribute attribute, int components, glm::vec4 value);
-    void other_vertex(int components, glm::vec4 position);
+    // By numbers, which need no memory: what calls these should have no stack of its own.
+    void set(Attribute attribute, int components, float x, float y, float z, float w);
+    void other_vertex(int components, float x, float y, float z, float w);
     /// Adds a vertex, for which there is room. Each attribute overwrites what the one before wrote beyond its
     /// own components, and the next vertex what the last one did.
     void append(glm::vec4 position)
     {
-        store(next_, four_floats(position));
-        for (int k = 0; k < copied_count_; ++k)
-            std::memcpy(next_ + copied_[k].offset, &(*current_)[copied_[k].attribute], BLOCK * sizeof(float));
-        next_ += floats_;
+        float* out = next_;
+        const glm::vec4* current = current_->data();
+        store(out, four_floats(position));
+        for (const Copied *copied = copied_.data(), *end = copied + copied_count_; copied != end; ++copied)
+            std::memcpy(out + copied->offset, current + copied->attribute, BLOCK * sizeof(float));
+        next_ = out + floats_;
         --room_;
         ++batch_.vertex_count;
     }

@@ -18,8 +18,8 @@ void Context::begin(GLenum mode)
         return set_error(GL_INVALID_OPERATION);
     if (mode > GL_POLYGON)
         return set_error(GL_INVALID_ENUM);
-    if (immediate.set_between(Attribute::color) && !state.lighting.enabled)
-        begin_varying_colors();
+    if (const std::uint32_t set = immediate.set_between())
+        begin_varying(set);
     if (!immediate.has_vertices())
         immediate.set_wanted(renderer.attributes_read(state));
     immediate.begin(mode);
@@ -32,12 +32,19 @@ void Context::end()
     immediate.end();
 }
 
-void Context::begin_varying_colors()
+void Context::begin_varying(std::uint32_t set)
 {
-    if (immediate.batch().varies(Attribute::color))
+    std::uint32_t interpolated = state.lighting.enabled ? 0 : bit_of(Attribute::color);
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        if (state.texturing.used(state.texturing.units[unit]))
+            interpolated |= bit_of(texture_coordinate(unit));
+    if ((set & interpolated) == 0)
         return;
+    const std::uint32_t varying = immediate.batch().attributes_varying | (set & interpolated);
     draw_vertices();
-    immediate.set_varying(Attribute::color);
+    for (int i = 1; i < ATTRIBUTE_COUNT; ++i)
+        if (varying & (1u << i))
+            immediate.set_varying(static_cast<Attribute>(i));
 }
 
 void Context::draw_vertices()

@@ -84,9 +84,10 @@ struct Context
     void store_followed_color();
 
 private:
-    /// Draws what waits with the colour it has: from here on each primitive has its own, which fragments
-    /// then interpolate, see takes_one_color().
-    void begin_varying_colors();
+    /// Draws what waits with the colour and texture coordinates it has, if some of the attributes in set
+    /// (bits of Attribute) are such: from here on each primitive has its own, which fragments then
+    /// interpolate, see takes_one_color() and TextureKey::constant.
+    void begin_varying(std::uint32_t set);
     void draw_vertices();
 };
 

@@ -24,9 +24,19 @@ bool stipples(const State& state, PrimitiveClass primitive)
 }
 
 /// Returns whether flat shading takes a colour from one vertex that others may not have.
-bool takes_vertex_color(const State& state, bool color_varies)
+bool takes_vertex_color(const State& state, std::uint32_t varying)
 {
-    return state.lighting.shade_model == GL_FLAT && (state.lighting.enabled || color_varies);
+    return state.lighting.shade_model == GL_FLAT &&
+           (state.lighting.enabled || (varying & bit_of(Attribute::color)));
+}
+
+/// Returns whether the key has those texture coordinates constant that do not vary.
+bool same_constants(const ShaderKey& key, std::uint32_t varying)
+{
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+        if (key.textures[unit].constant != key.textures[unit].takes_one_coordinate(unit, varying))
+            return false;
+    return true;
 }
 
 /// Returns whether a vertex of the batch has a material of its own that shines.
@@ -73,15 +83,15 @@ Pipeline make_pipeline(const State& state)
     return p;
 }
 
-const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive, bool color_varies)
+const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive, std::uint32_t varying)
 {
     const bool same_kind = key_ && !key_->shaded && key_->points == (primitive == PrimitiveClass::points) &&
                            key_->polygon_stipple == stipples(state, primitive) &&
-                           key_->flat == takes_one_color(state, color_varies);
+                           key_->flat == takes_one_color(state, varying) && same_constants(*key_, varying);
     if (same_kind && !(changed_ & ~matrices) && (!changed_ || keeps_length(state) == keeps_length_))
         return *key_;
     keeps_length_ = keeps_length(state);
-    return use(make_shader_key(state, primitive, color_varies));
+    return use(make_shader_key(state, primitive, varying));
 }
 
 const ShaderKey& Renderer::use(const ShaderKey& key)
@@ -99,7 +109,7 @@ std::uint32_t Renderer::attributes_read(const State& state)
 {
     const bool known = !(changed_ & ~matrices) && key_ && !key_->shaded;
     const std::uint32_t read =
-        legacygl::attributes_read(known ? *key_ : make_shader_key(state, PrimitiveClass::triangles, true));
+        legacygl::attributes_read(known ? *key_ : make_shader_key(state, PrimitiveClass::triangles, ~0u));
     return state.raster.unfilled() ? read | 1u << index_of(Attribute::edge_flag) : read;
 }
 
@@ -187,7 +197,7 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
 
 /// Calls draw for each stretch of runs that one program draws: points need their own, and so may polygons.
 template <class Draw>
-void Renderer::for_each_program(const State& state, bool color_varies, std::span<const DrawRun> runs,
+void Renderer::for_each_program(const State& state, std::uint32_t varying, std::span<const DrawRun> runs,
                                 Draw draw)
 {
     const auto kind = [&](const DrawRun& run) {
@@ -197,7 +207,7 @@ void Renderer::for_each_program(const State& state, bool color_varies, std::span
         const auto end = std::find_if(runs.begin(), runs.end(),
                                       [&](const DrawRun& run) { return kind(run) != kind(runs.front()); });
         const auto count = static_cast<std::size_t>(end - runs.begin());
-        draw(prepare(state, key_for(state, runs.front().primitive, color_varies)), runs.first(count));
+        draw(prepare(state, key_for(state, runs.front().primitive, varying)), runs.first(count));
         runs = runs.subspan(count);
     }
 }
@@ -207,23 +217,22 @@ void Renderer::draw(const State& state, const VertexBatch& batch)
     if (const std::optional<RasterWork> work = raster_work(state, batch))
         return draw_shaded(state, batch, *work, false);
     const std::span<const Primitive> primitives = batch.primitives;
-    draw_batch(state, batch, primitives.first(batch.primitives_of_one_color()), false);
-    draw_batch(state, batch, primitives.subspan(batch.primitives_of_one_color()), true);
+    draw_batch(state, batch, primitives.first(batch.primitives_of_one_color()), batch.varying(true));
+    draw_batch(state, batch, primitives.subspan(batch.primitives_of_one_color()), batch.varying(false));
 }
 
 void Renderer::draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
-                          bool color_varies)
+                          std::uint32_t varying)
 {
     if (primitives.empty())
         return;
     runs_.clear();
     indices_.clear();
-    QuadOrders quad_orders(state, batch, primitives, takes_vertex_color(state, color_varies), false);
+    QuadOrders quad_orders(state, batch, primitives, takes_vertex_color(state, varying), false);
     make_runs(primitives, runs_, indices_, &quad_orders);
-    for_each_program(
-        state, color_varies, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
-            backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
-        });
+    for_each_program(state, varying, runs_, [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
+        backend_.draw_stream(draw_state, batch.format, batch.used_vertices(), indices_, runs);
+    });
 }
 
 void Renderer::draw(const State& state, ListGeometry& geometry)
@@ -241,8 +250,8 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
                                  vertices.indices, runs);
     };
     const std::span<const DrawRun> runs = geometry.runs();
-    for_each_program(state, false, runs.first(geometry.runs_of_one_color), draw);
-    for_each_program(state, true, runs.subspan(geometry.runs_of_one_color), draw);
+    for_each_program(state, geometry.traits.varying(true), runs.first(geometry.runs_of_one_color), draw);
+    for_each_program(state, geometry.traits.varying(false), runs.subspan(geometry.runs_of_one_color), draw);
 }
 
 /// Returns whether no pixel of the target is outside the viewport. ES may cut a point off at the viewport's
@@ -280,24 +289,26 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchT
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list)
 {
     const std::span<const Primitive> primitives = batch.primitives;
-    draw_shaded(state, batch, primitives.first(batch.primitives_of_one_color()), false, work, in_list);
-    draw_shaded(state, batch, primitives.subspan(batch.primitives_of_one_color()), true, work, in_list);
+    draw_shaded(state, batch, primitives.first(batch.primitives_of_one_color()), batch.varying(true), work,
+                in_list);
+    draw_shaded(state, batch, primitives.subspan(batch.primitives_of_one_color()), batch.varying(false), work,
+                in_list);
 }
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch,
-                           std::span<const Primitive> primitives, bool color_varies, const RasterWork& work,
-                           bool in_list)
+                           std::span<const Primitive> primitives, std::uint32_t varying,
+                           const RasterWork& work, bool in_list)
 {
     if (primitives.empty())
         return;
-    ShaderKey key = make_shader_key(state, PrimitiveClass::triangles, color_varies);
+    ShaderKey key = make_shader_key(state, PrimitiveClass::triangles, varying);
     key.specular = key.specular || shines(batch);
     VertexShading shading(state, key);
     const std::vector<ShadedVertex> vertices = shading.shade(batch);
     RasterOutput output(key, shading.viewport(), state.raster.line_width / 2,
                         state.fragment.effective_logic_op() != GL_COPY);
     PrimitivePipeline stages(state, key, work, shading, stipple_counter_, output);
-    QuadOrders quad_orders(state, batch, primitives, takes_vertex_color(state, color_varies), in_list);
+    QuadOrders quad_orders(state, batch, primitives, takes_vertex_color(state, varying), in_list);
     for (std::size_t p = 0; p < primitives.size(); ++p) {
         const Primitive& primitive = primitives[p];
         stages.draw(primitive.mode, quad_orders.of(p),

@@ -47,16 +47,16 @@ private:
         std::uint64_t revision = 0;
     };
 
-    const ShaderKey& key_for(const State& state, PrimitiveClass primitive, bool color_varies);
+    const ShaderKey& key_for(const State& state, PrimitiveClass primitive, std::uint32_t varying);
     const ShaderKey& use(const ShaderKey& key);
     const DrawState& prepare(const State& state, const ShaderKey& key);
     std::optional<RasterWork> raster_work(const State& state, const BatchTraits& batch) const;
     bool viewport_holds_target(const State& state) const;
     void draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
-                    bool color_varies);
+                    std::uint32_t varying);
     void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list);
     void draw_shaded(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
-                     bool color_varies, const RasterWork& work, bool in_list);
+                     std::uint32_t varying, const RasterWork& work, bool in_list);
     void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
                      const RasterOutput& output);
     void draw_shaded(const State& state, const ShaderKey& shading, const RasterWork& work,
@@ -66,7 +66,8 @@ private:
     TextureId texture(Texture& texture);
     template <class Fill> void refill(UniformGroup group, int size, Fill fill);
     template <class Draw>
-    void for_each_program(const State& state, bool color_varies, std::span<const DrawRun> runs, Draw draw);
+    void for_each_program(const State& state, std::uint32_t varying, std::span<const DrawRun> runs,
+                          Draw draw);
 
     Backend& backend_;
     std::uint32_t changed_ = everything;

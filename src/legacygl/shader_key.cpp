@@ -60,7 +60,7 @@ void add_border(const Sampling& sampling, TextureKey& key)
     }
 }
 
-void add_texture(const State& state, int unit, ShaderKey& key)
+void add_texture(const State& state, int unit, std::uint32_t varying, ShaderKey& key)
 {
     const TextureUnit& u = state.texturing.units[unit];
     const Texture* texture = state.texturing.used(u);
@@ -79,6 +79,7 @@ void add_texture(const State& state, int unit, ShaderKey& key)
             k.generation[i] = u.generation[i].mode;
     k.lod_bias = TexturingState::lod_bias(u, *texture) != 0;
     k.one_dimensional = texture->target == GL_TEXTURE_1D;
+    k.constant = k.takes_one_coordinate(unit, varying);
     add_border(texture->parameters.sampling, k);
 }
 
@@ -117,20 +118,21 @@ bool ShaderKey::needs_normal() const
     return lighting || generates(GL_SPHERE_MAP);
 }
 
-bool takes_one_color(const State& state, bool color_varies)
+bool takes_one_color(const State& state, std::uint32_t varying)
 {
     const LightingState& lighting = state.lighting;
-    return lighting.shade_model == GL_FLAT || (!lighting.enabled && !lighting.color_sum && !color_varies);
+    return lighting.shade_model == GL_FLAT ||
+           (!lighting.enabled && !lighting.color_sum && !(varying & bit_of(Attribute::color)));
 }
 
-ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool color_varies)
+ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, std::uint32_t varying)
 {
     ShaderKey key;
-    key.flat = takes_one_color(state, color_varies);
+    key.flat = takes_one_color(state, varying);
     key.points = primitive == PrimitiveClass::points;
     key.polygon_stipple = primitive == PrimitiveClass::triangles && state.raster.polygon_stipple.enabled;
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        add_texture(state, unit, key);
+        add_texture(state, unit, varying, key);
     key.eye_space = key.generates(GL_SPHERE_MAP) || key.generates(GL_EYE_LINEAR);
     if (state.lighting.enabled)
         add_lighting(state, key);
@@ -237,7 +239,7 @@ std::size_t ShaderKeyHash::operator()(const ShaderKey& key) const
         mix(static_cast<std::uint64_t>(texture.format));
         mix(texture.environment);
         mix(texture.matrix);
-        mix(texture.one_dimensional | texture.lod_bias << 1);
+        mix(texture.one_dimensional | texture.lod_bias << 1 | texture.constant << 2);
         mix(texture.border_wrap[0] | static_cast<std::uint64_t>(texture.border_wrap[1]) << 32);
         mix(texture.minify | static_cast<std::uint64_t>(texture.magnify) << 32);
         for (GLenum mode : texture.generation)

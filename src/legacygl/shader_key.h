@@ -41,6 +41,7 @@ struct TextureKey
     std::array<GLenum, 4> generation{}; ///< Mode of each coordinate; 0: taken from the vertex.
     bool one_dimensional = false;
     bool lod_bias = false; ///< Something is added to the level of detail.
+    bool constant = false; ///< All fragments of a primitive have the same coordinates.
     /// The wrap modes of s and t where they let the border's colour show; else 0.
     std::array<GLenum, 2> border_wrap{};
     GLenum minify = 0; ///< Only where the border shows.
@@ -55,6 +56,15 @@ struct TextureKey
             if (g == mode)
                 return true;
         return false;
+    }
+    /// Returns whether all fragments of a primitive have the same coordinates of this unit. varying: the
+    /// attributes that a primitive's vertices may have got one by one, as bits. Interpolating equal values
+    /// may end a rounding beside them, in the texel next to the one meant; Mesa does not, unless it computes
+    /// them.
+    bool takes_one_coordinate(int unit, std::uint32_t varying) const
+    {
+        return format != BaseFormat::none && !matrix && generation == std::array<GLenum, 4>{} &&
+               !(varying & bit_of(texture_coordinate(unit)));
     }
 };
 
@@ -127,11 +137,11 @@ struct ShaderKeyHash
 /// Returns whether all fragments of a primitive take the colour of one vertex. Besides flat shading that is
 /// so where the vertices of each primitive have one colour: interpolating equal values may end a rounding
 /// beside them, and Mesa does not.
-bool takes_one_color(const State& state, bool color_varies);
+bool takes_one_color(const State& state, std::uint32_t varying);
 
-/// Returns the key of the state, for primitives of one class. color_varies: whether a primitive's vertices
-/// may have got colours of their own.
-ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, bool color_varies);
+/// Returns the key of the state, for primitives of one class. varying: which attributes a primitive's
+/// vertices may have got one by one, as bits of Attribute.
+ShaderKey make_shader_key(const State& state, PrimitiveClass primitive, std::uint32_t varying);
 
 /// Returns the key for drawing what vertices shaded by a key became.
 ShaderKey make_shaded_key(const ShaderKey& shading, PrimitiveClass primitive, Coverage coverage,

@@ -30,7 +30,8 @@ std::string varyings(const ShaderKey& key, const char* direction)
     }
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
         if (key.textures[unit].format != BaseFormat::none)
-            text += std::string(direction) + " vec4 texture_position_" + std::to_string(unit) + ";\n";
+            text += std::string(key.textures[unit].constant ? "flat " : "") + direction +
+                    " vec4 texture_position_" + std::to_string(unit) + ";\n";
     if (key.fog_mode)
         text += std::string(direction) + " float fog_distance;\n";
     if (key.coverage != Coverage::whole)

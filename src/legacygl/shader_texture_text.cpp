@@ -64,9 +64,11 @@ public:
     std::string text() const
     {
         const TextureKey& k = key_.textures[unit_];
-        const std::string color = scaled(k.combine_rgb, true), alpha = scaled(k.combine_alpha, false);
-        if (k.combine_rgb.function == GL_DOT3_RGBA)
-            return "    c = vec4(" + color + ", (" + color + ").r);\n";
+        const std::string color = scaled(value(k.combine_rgb, true), k.combine_rgb);
+        // The product of GL_DOT3_RGBA is the alpha, too, and that has its own scale.
+        const std::string alpha = k.combine_rgb.function == GL_DOT3_RGBA
+                                      ? scaled(value(k.combine_rgb, true) + ".r", k.combine_alpha)
+                                      : scaled(value(k.combine_alpha, false), k.combine_alpha);
         return "    c = vec4(" + color + ", " + alpha + ");\n";
     }
 
@@ -128,10 +130,10 @@ private:
         }
     }
 
-    std::string scaled(const Combine& combine, bool color) const
+    static std::string scaled(const std::string& value, const Combine& combine)
     {
         const std::string factor = std::to_string(static_cast<int>(combine.scale)) + ".0";
-        return "clamp((" + value(combine, color) + ") * " + factor + ", 0.0, 1.0)";
+        return "clamp((" + value + ") * " + factor + ", 0.0, 1.0)";
     }
 
     const ShaderKey& key_;

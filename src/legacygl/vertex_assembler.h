@@ -48,7 +48,12 @@ struct BatchTraits
     bool changes_materials = false; ///< Some vertices have a material of their own.
     CurrentAttributes last{};
 
-    bool varies(Attribute attribute) const { return attributes_varying & (1u << index_of(attribute)); }
+    bool varies(Attribute attribute) const { return attributes_varying & bit_of(attribute); }
+    /// Returns which attributes vary in the primitives of one colour, or in the others.
+    std::uint32_t varying(bool of_one_color) const
+    {
+        return of_one_color ? attributes_varying & ~bit_of(Attribute::color) : attributes_varying;
+    }
     bool was_set(int attribute) const { return attributes_set & (1u << attribute); }
 };
 
@@ -101,10 +106,11 @@ public:
     void set_wanted(std::uint32_t mask);
     void begin(GLenum mode);
     void end();
-    /// Whether the attribute was set outside of glBegin and glEnd since the batch got its first vertices.
-    bool set_between(Attribute attribute) const
+    /// Returns which attributes were set outside of glBegin and glEnd since the batch got its first vertices
+    /// and do not vary yet, as bits of Attribute.
+    std::uint32_t set_between() const
     {
-        return has_vertices() && (set_between_ & (1u << index_of(attribute)));
+        return has_vertices() ? set_between_ & ~batch_.attributes_varying : 0;
     }
     /// Takes an attribute for one that vertices get one by one.
     void set_varying(Attribute attribute)

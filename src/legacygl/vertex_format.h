@@ -63,6 +63,12 @@ struct VertexFormat
     bool operator==(const VertexFormat&) const = default;
 };
 
+/// Returns the attribute as one bit of a set of attributes.
+constexpr std::uint32_t bit_of(Attribute attribute)
+{
+    return 1u << index_of(attribute);
+}
+
 constexpr int TEXTURE_UNIT_COUNT = 2;
 
 /// Returns the attribute that carries a unit's texture coordinates.

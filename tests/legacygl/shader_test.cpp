@@ -10,7 +10,7 @@ using namespace legacygl;
 class Shader : public RecordedGl
 {
 protected:
-    ShaderKey key() const { return make_shader_key(context->state, PrimitiveClass::triangles, true); }
+    ShaderKey key() const { return make_shader_key(context->state, PrimitiveClass::triangles, ~0u); }
 };
 
 TEST_F(Shader, LightsInObjectSpaceWhereThatIsTheSame)

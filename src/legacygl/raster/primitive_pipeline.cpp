@@ -155,7 +155,7 @@ void PrimitivePipeline::triangle(Triangle& t, std::uint32_t edges, bool begins)
     if (work_.unfilled && raster.culls(back || area == 0 ? 1 : 0))
         return;
     const bool back_mode = back || (area == 0 && raster.front_face != GL_CCW);
-    const GLenum mode = raster.polygon_mode[back_mode ? 1 : 0];
+    const GLenum mode = raster.drawn_mode(back_mode ? 1 : 0);
     if (!work_.unfilled || mode == GL_FILL) {
         if (work_.unfilled)
             offset(t, area, GL_FILL);

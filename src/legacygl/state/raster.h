@@ -84,6 +84,10 @@ struct RasterState
         return cull_face &&
                (cull_face_mode == GL_FRONT_AND_BACK || (cull_face_mode == GL_BACK) == (face == 1));
     }
+    /// Returns the mode that polygons of the face (0 front, 1 back) are drawn in. Where the face is culled
+    /// that is the other's, as in Mesa: what is culled and what is drawn are decided apart for polygons
+    /// without an area, and one that is not culled must not take the mode of a face that is.
+    GLenum drawn_mode(int face) const { return polygon_mode[culls(face) ? 1 - face : face]; }
     /// Returns whether polygons of some face are drawn as points or lines.
     bool unfilled() const
     {

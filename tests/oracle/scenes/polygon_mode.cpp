@@ -196,6 +196,30 @@ SCENE(polygon_mode_culls_the_face_that_is_not_filled)
     cube();
 }
 
+// A triangle without an area is no face that is culled by mistake: it is drawn as the other face is.
+SCENE(polygon_mode_of_flat_triangles_with_culled_faces)
+{
+    two_dimensions();
+    glEnable(GL_CULL_FACE);
+    const GLenum culled[] = {GL_FRONT, GL_BACK};
+    const GLenum unfilled[] = {GL_LINE, GL_POINT};
+    for (int i = 0; i < 8; ++i) {
+        glCullFace(culled[i & 1]);
+        glFrontFace(i & 2 ? GL_CW : GL_CCW);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        glPolygonMode(i & 1 ? GL_FRONT : GL_BACK, unfilled[i / 4]);
+        const float y = 1 + 1.3f * static_cast<float>(i);
+        glBegin(GL_TRIANGLE_STRIP);
+        glVertex2f(1, y);
+        glVertex2f(6, y + 1);
+        glVertex2f(1, y);
+        glVertex2f(11, y);
+        glVertex2f(15, y + 1);
+        glVertex2f(15, y + 1);
+        glEnd();
+    }
+}
+
 SCENE(polygon_mode_lights_two_sides)
 {
     three_dimensions();

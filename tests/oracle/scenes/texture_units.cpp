@@ -167,3 +167,20 @@ SCENE(one_dimensional_texture)
     }
     glEnd();
 }
+
+// The alpha that GL_DOT3_RGBA makes has the scale of alpha, not that of the colours.
+SCENE(texture_environment_dot_product_scales)
+{
+    two_dimensions();
+    checker(250, 120, 200, 4);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+    glColor4f(0.7f, 0.6f, 0.65f, 0.7f);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    for (int i = 0; i < 8; ++i) {
+        glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, i < 4 ? GL_DOT3_RGBA : GL_DOT3_RGB);
+        glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, i & 1 ? 4 : 1);
+        glTexEnvf(GL_TEXTURE_ENV, GL_ALPHA_SCALE, i & 2 ? 2 : 1);
+        square(0.2f + 4 * static_cast<float>(i % 4), 0.2f + 4 * static_cast<float>(i / 4));
+    }
+}

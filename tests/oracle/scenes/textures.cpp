@@ -232,3 +232,35 @@ SCENE(texture_changed_between_draws)
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, red.data());
     }
 }
+
+// Primitives that take the texture coordinates left by others, which lie on a texel's edge: a mesh drawn with
+// the texture still on. Interpolated, they would end in one texel here and in its neighbour there.
+SCENE(texture_coordinates_of_no_vertex)
+{
+    three_dimensions();
+    texture(GL_RGB, 3, 4, 4, GL_NEAREST, GL_NEAREST);
+    glMatrixMode(GL_PROJECTION);
+    glTranslatef(-1, 0.3f, 0.2f);
+    glMatrixMode(GL_MODELVIEW);
+    for (int i = 0; i < 24; ++i) {
+        glTexCoord2f(0.25f * static_cast<float>(i), 1 - 0.25f * static_cast<float>(i / 5));
+        glPushMatrix();
+        glRotatef(15.0f * static_cast<float>(i), 0, 0.2f, 1);
+        glBegin(GL_TRIANGLES);
+        glVertex3f(0.1f, 0, 0);
+        glVertex3f(2.3f, -0.2f, -3);
+        glVertex3f(1.4f, 0.3f, 1);
+        glEnd();
+        glPopMatrix();
+    }
+    glTranslatef(2.5f, 0, 0);
+    for (int i = 0; i < 12; ++i) { // With nothing between: vertices have the coordinates from the second on.
+        glTexCoord2f(0.75f, 0.25f * static_cast<float>(i));
+        const float y = 0.25f * static_cast<float>(i) - 1.7f;
+        glBegin(GL_TRIANGLES);
+        glVertex3f(-0.3f, y, 1);
+        glVertex3f(1, y, -2);
+        glVertex3f(-0.1f, y + 0.4f, -1);
+        glEnd();
+    }
+}

@@ -1,11 +1,16 @@
 """The far tank: the same silhouettes for a few hundred triangles, in the same frames."""
 import math
 
-from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, WHEEL_R, WHEEL_Z, glacis, trunnion_in_machine_gun, yz
+from mathutils import Vector
+
+from corners import add_corners
+from frame import CUPOLA, TRACK_W, TRACK_X, TRUNNION, TURRET, WHEEL_R, WHEEL_Z, glacis, trunnion_in_machine_gun, yz
 from mesh import SIDE, TOP, Mesh, at
 from running import ACROSS, END_R, END_Y, IDLER_Z
 from shapes import box, disc, drum, lathe, prism, rect, stack
 from turret import BELT, BOTTOM, SHOULDER, UP
+
+MOST = 700  # triangles of the assembled tank
 
 
 def body():
@@ -70,7 +75,19 @@ def body():
             m.poly(side[::-1] if s > 0 else side)
 
     m.both(side)
+    ridge(m, (0.30, glacis(2.60), 2.60), (1.16, glacis(3.02), 3.02), 0.07)  # splash board
+    ridge(m, (-1.16, glacis(3.02), 3.02), (-0.30, glacis(2.60), 2.60), 0.07)
     return m
+
+
+def ridge(m, a, b, height):
+    """Stands for what is too narrow for more: a roof of two faces over the way from a to b."""
+    a, b = Vector(a), Vector(b)
+    across = (b - a).cross(Vector((0, 1, 0))).normalized() * 0.6 * height
+    top = Vector((0, height, 0))
+    m.begin()
+    m.poly([a + across, b + across, b + top, a + top])
+    m.poly([b - across, a - across, a + top, b + top])
 
 
 def turret():
@@ -102,6 +119,7 @@ def turret():
             m.poly([foot[i], foot[(i + 1) % 4], tip])
 
     m.both(smoke)
+    ridge(m, (0.25, 0.80, -0.62), (0.85, 0.80, -0.62), 0.09)  # the loader's hatch
     return m
 
 
@@ -144,10 +162,17 @@ def machine_gun():
 
 def wheel():
     m = Mesh('tankwheelLow')
-    m.begin()
-    drum(m, WHEEL_R * 1.03, -0.24, 0.24, 8, ACROSS, 0.0, start=math.pi / 8, cap0=False)
+    m.begin()  # inside it comes to a point behind the track: nobody sees that
+    lathe(m, [(0.0, -0.24), (WHEEL_R * 1.03, 0.24)], 8, ACROSS, math.pi / 8)
+    disc(m, WHEEL_R * 1.03, 0.24, 8, ACROSS, math.pi / 8)
     return m
 
 
-def build():
-    return [body(), turret(), main_gun(), machine_gun(), wheel()]
+def build(paint):
+    """The five meshes, with as many corners for the paint as MOST triangles leave."""
+    meshes = [body(), turret(), main_gun(), machine_gun(), wheel()]
+    used = [sum(len(f.tris) for f in m.faces) for m in meshes]
+    spare = MOST - sum(used[:4]) - len(WHEEL_Z) * 2 * used[4]
+    placed = [(meshes[0], (0, 0, 0)), (meshes[1], TURRET), (meshes[2], TURRET)]
+    add_corners(placed, spare, paint)
+    return meshes

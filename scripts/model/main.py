@@ -9,8 +9,10 @@ sys.path.insert(0, HERE)
 
 import atlas  # noqa: E402
 import checks  # noqa: E402
+import corners  # noqa: E402
 import exposure  # noqa: E402
 import export  # noqa: E402
+import frame  # noqa: E402
 import guns  # noqa: E402
 import hull  # noqa: E402
 import low  # noqa: E402
@@ -37,8 +39,6 @@ def run(args):
     normals = [export.corner_normals(m) for m in high]
     for m, n in zip(high, normals):
         export.write_obj(m, n, os.path.join(folder, m.name + '.obj'), atlas.SIZE)
-    for m in low.build():
-        export.write_obj(m, export.corner_normals(m), os.path.join(folder, m.name + '.obj'))
     picture = os.path.join(assets, 'texture.jpg')
     if '--no-texture' not in args:
         every = {}
@@ -47,6 +47,10 @@ def run(args):
         layer = atlas.rasterise(high, every, texture.MATS)
         print('rasterised after %.0f s' % (time.time() - began))
         texture.save(texture.paint(layer, high, rays), picture, QUALITY)
+    turret_at, origin = frame.TURRET, (0, 0, 0)
+    paint = corners.Paint(list(zip(high[:3], (origin, turret_at, turret_at))), texture.load(picture))
+    for m in low.build(paint):
+        export.write_obj(m, export.corner_normals(m), os.path.join(folder, m.name + '.obj'))
     report, bad = checks.check(folder, picture if os.path.exists(picture) else None)
     print('\n'.join(report))
     for line in bad[:30]:

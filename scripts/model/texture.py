@@ -47,7 +47,7 @@ COLOUR = {
     'track': (112, 106, 98),
     'board': (58, 58, 56),
 }
-GREEN, BROWN, BLACK = (100, 110, 76), (116, 88, 62), (64, 64, 61)
+GREEN, BROWN, BLACK = (100, 110, 76), (116, 88, 62), (70, 70, 64)
 DUST = np.array((160, 144, 116.0))
 WHITE = np.array((224, 222, 208.0))
 
@@ -81,6 +81,19 @@ def noise(p, freq, seed):
 
 def mix(a, b, t):
     return a + (b - a) * t[..., None]
+
+
+def camouflage(p):
+    """Returns the paint of places on the tank, under wear and shade: patches about two metres wide, as they are put on
+    real vehicles. From far away, where a pixel is a hand wide, such patches are still patches, and the low tank's
+    corners can carry them; smaller ones would be grains."""
+    warp = np.stack([noise(p, 1.1, 3), noise(p, 1.1, 4), noise(p, 1.1, 5)], -1) * 0.35
+    q = (p + warp) * np.array((0.62, 0.70, 0.48))
+    a = noise(q, 1.15, 11) + 0.2 * noise(q, 2.5, 12)
+    b = noise(q + 17.3, 1.05, 13) + 0.2 * noise(q, 2.6, 14)
+    camo = np.broadcast_to(np.array(GREEN, float), p.shape)
+    camo = mix(camo, np.array(BROWN, float), step(0.07, 0.08, a))
+    return mix(camo, np.array(BLACK, float), step(0.27, 0.28, b))
 
 
 # ---- ambient occlusion
@@ -180,14 +193,7 @@ def paint(layer, meshes, count, mats=MATS):
     def is_(name):
         return mat == mats.index(name)
 
-    # camouflage
-    warp = np.stack([noise(tank, 1.1, 3), noise(tank, 1.1, 4), noise(tank, 1.1, 5)], -1) * 0.35
-    q = (tank + warp) * np.array((0.8, 0.9, 0.62))
-    a = noise(q, 1.15, 11) + 0.3 * noise(q, 2.5, 12)
-    b = noise(q + 17.3, 1.05, 13) + 0.3 * noise(q, 2.6, 14)
-    camo = np.broadcast_to(np.array(GREEN, float), p.shape).copy()
-    camo = mix(camo, np.array(BROWN, float), step(0.07, 0.08, a))
-    camo = mix(camo, np.array(BLACK, float), step(0.27, 0.28, b))
+    camo = camouflage(tank)
     col = camo.copy()
     for name, c in COLOUR.items():
         col[is_(name)] = c
@@ -346,3 +352,9 @@ def save(image, path, quality):
 
     data = np.round(image[::-1]).astype(np.uint8)
     Image.fromarray(data, 'RGB').save(path, 'JPEG', quality=quality, optimize=True, subsampling='4:2:0')
+
+
+def load(path):
+    from PIL import Image
+
+    return np.array(Image.open(path).convert('RGB')).astype(float)[::-1]

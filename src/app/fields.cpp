@@ -165,10 +165,10 @@ constexpr double FURTHEST = 400.0;
 /// The near plane is never further away than this, so a threshold can be everywhere beyond it. Metres.
 constexpr double NEAREST_THRESHOLD = 1.0;
 
-/// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds that no patches
-/// differ from about 32 m on; there, side by side, an eye still finds the spots of camouflage, which few
-/// large faces cannot have. Here a tank is 28 pixels long, and in pairs from all around its mean colour is
-/// off by 2 or 3 of 255; but side by side an attentive eye still finds the high one the more mottled.
+/// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds a nearer one from
+/// which on no patches differ; there, side by side, an eye still finds the edges of camouflage, which the low
+/// tank's corners blur. Here a tank is 28 pixels long, and `scripts/model/blind.py` asks for a guess: someone
+/// who knew what to look for, and saw the pairs doubled in size, named the high one in 28 of 36.
 constexpr std::int64_t DEFAULT_THRESHOLD = 259'000;
 
 /// Where the projectile and its line can be: round everything that the tank can drive to. Metres.

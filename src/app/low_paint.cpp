@@ -1,5 +1,7 @@
 #include "app/low_paint.h"
 
+#include "app/corner_fit.h"
+#include "app/mipmap.h"
 #include "collision/triangle.h"
 
 #include <algorithm>
@@ -7,14 +9,19 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 namespace app {
 
 namespace {
 
 /// Faces are looked at every so many metres of their edges.
-constexpr float SAMPLE_DISTANCE = 0.5f;
-constexpr int MOST_SAMPLES_ALONG_AN_EDGE = 8;
+constexpr float SAMPLE_DISTANCE = 0.2f;
+constexpr int MOST_SAMPLES_ALONG_AN_EDGE = 24;
+
+/// So wide is a pixel where the low tank is shown, 259 metres away in a window 800 pixels high. Of the
+/// texture it shows a mipmap, where neighbours in the image have become one. Metres.
+constexpr double PIXEL = 0.27;
 
 /// Of a mesh of more faces, only so many are looked at, spread evenly.
 constexpr std::size_t MOST_HIGH_FACES = 20'000;
@@ -50,10 +57,10 @@ struct Mean
     glm::vec3 sum{0.0f};
     float area = 0.0f;
 
-    void add(const Sample& sample, float weight = 1.0f)
+    void add(const Sample& sample)
     {
-        sum += weight * sample.area * sample.colour;
-        area += weight * sample.area;
+        sum += sample.area * sample.colour;
+        area += sample.area;
     }
 };
 
@@ -70,20 +77,6 @@ glm::vec2 texture_coordinate_of(const mesh::ObjMesh& obj, const mesh::FaceVertex
                : obj.texture_coordinates[static_cast<std::size_t>(corner.texture_coordinate)];
 }
 
-/// Returns the nearest pixel; the image repeats.
-glm::vec3 colour_at(const mesh::Image& image, const glm::vec2& place)
-{
-    const auto pixel = [](float coordinate, int size) {
-        const float part = coordinate - std::floor(coordinate);
-        return static_cast<std::size_t>(
-            std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1));
-    };
-    const std::size_t at =
-        (pixel(place.y, image.height) * static_cast<std::size_t>(image.width) + pixel(place.x, image.width)) *
-        static_cast<std::size_t>(image.channels);
-    return glm::vec3(image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]) / 255.0f;
-}
-
 /// Returns twice the face's area along its normal.
 glm::vec3 doubled_area(const collision::Triangle& triangle)
 {
@@ -96,7 +89,7 @@ collision::Triangle triangle_of(const mesh::ObjMesh& obj, const mesh::Face& face
 }
 
 /// Cuts a face into as many like triangles as its size asks for, and takes the middle of each.
-void add_samples(const mesh::ObjMesh& obj, const mesh::Face& face, const mesh::Image& texture,
+void add_samples(const mesh::ObjMesh& obj, const mesh::Face& face, const Mipmap& texture,
                  std::vector<Sample>& samples)
 {
     const collision::Triangle triangle = triangle_of(obj, face);
@@ -119,7 +112,7 @@ void add_samples(const mesh::ObjMesh& obj, const mesh::Face& face, const mesh::I
         samples.push_back({.position = of_a * triangle.a + of_b * triangle.b + of_c * triangle.c,
                            .normal = normal / doubled,
                            .area = 0.5f * doubled * part * part,
-                           .colour = colour_at(texture, of_a * at_a + of_b * at_b + of_c * at_c)});
+                           .colour = texture.colour_at(of_a * at_a + of_b * at_b + of_c * at_c)});
     };
     constexpr float THIRD = 1.0f / 3.0f;
     for (int i = 0; i < cuts; ++i) {
@@ -134,8 +127,29 @@ void add_samples(const mesh::ObjMesh& obj, const mesh::Face& face, const mesh::I
     }
 }
 
-std::vector<Sample> samples_of(const mesh::ObjMesh& obj, const mesh::Image& texture)
+/// Returns the image's mipmap that shows the mesh from as far away as pixels are PIXEL wide.
+Mipmap as_seen(const mesh::ObjMesh& obj, const mesh::Image& image)
 {
+    double area = 0.0; // both doubled
+    double texels = 0.0;
+    for (const mesh::Face& face : obj.faces) {
+        const glm::dvec2 a(texture_coordinate_of(obj, face.vertices[0]));
+        const glm::dvec2 b = glm::dvec2(texture_coordinate_of(obj, face.vertices[1])) - a;
+        const glm::dvec2 c = glm::dvec2(texture_coordinate_of(obj, face.vertices[2])) - a;
+        area += static_cast<double>(glm::length(doubled_area(triangle_of(obj, face))));
+        texels += std::abs(b.x * c.y - b.y * c.x) * image.width * image.height;
+    }
+    const double across = PIXEL * std::sqrt(area > 0.0 ? texels / area : 0.0);
+    int side = 1;
+    while (2 * side < std::min(image.width, image.height) && across > std::numbers::sqrt2 * side) {
+        side *= 2; // nearest to it
+    }
+    return Mipmap(image, side);
+}
+
+std::vector<Sample> samples_of(const mesh::ObjMesh& obj, const mesh::Image& image)
+{
+    const Mipmap texture = as_seen(obj, image);
     std::vector<Sample> samples;
     const std::size_t step = 1 + obj.faces.size() / MOST_HIGH_FACES;
     for (std::size_t face = 0; face < obj.faces.size(); face += step) {
@@ -206,22 +220,21 @@ float weight_of(const Sample& sample, double distance)
     return lightness * static_cast<float>(1.0 / (falls * falls));
 }
 
-/// Returns how much a place on a face counts for each of its corners: the fourth power of what it has of
-/// them, so that the corners of a large face differ as the paint there does; and a little in any case.
-std::array<float, 3> nearness_of(const Target& target, const glm::vec3& place)
+/// Returns what a place on a face has of its three corners: 0 to 1, together 1.
+glm::dvec3 parts_at(const Target& target, const glm::vec3& place)
 {
     const collision::Triangle& triangle = target.triangle;
-    const glm::vec3 whole = doubled_area(triangle);
-    const float square = glm::dot(whole, whole);
-    std::array<float, 3> nearness{1.0f, 1.0f, 1.0f};
-    const std::array opposite = {collision::Triangle{place, triangle.b, triangle.c},
-                                 collision::Triangle{triangle.a, place, triangle.c},
-                                 collision::Triangle{triangle.a, triangle.b, place}};
-    for (std::size_t corner = 0; square > 0.0f && corner < nearness.size(); ++corner) {
-        const float part = std::clamp(glm::dot(doubled_area(opposite[corner]), whole) / square, 0.0f, 1.0f);
-        nearness[corner] = 0.001f + part * part * part * part;
+    const glm::dvec3 whole(doubled_area(triangle));
+    const double square = glm::dot(whole, whole);
+    if (!(square > 0.0)) {
+        return glm::dvec3(1.0 / 3.0);
     }
-    return nearness;
+    const auto part = [&](const collision::Triangle& opposite) {
+        return std::clamp(glm::dot(glm::dvec3(doubled_area(opposite)), whole) / square, 0.0, 1.0);
+    };
+    const glm::dvec3 parts(part({place, triangle.b, triangle.c}), part({triangle.a, place, triangle.c}),
+                           part({triangle.a, triangle.b, place}));
+    return parts / (parts.x + parts.y + parts.z);
 }
 
 } // namespace
@@ -233,22 +246,18 @@ std::vector<FacePaint> paint_of(const mesh::ObjMesh& low, const mesh::ObjMesh& h
     const std::vector<Target> targets =
         low.faces.size() <= MOST_LOW_FACES ? targets_of(low) : std::vector<Target>{};
     Mean whole;
-    std::vector<std::array<Mean, 3>> means(low.faces.size());
+    std::vector<CornerFit> fits(low.faces.size());
     for (const Sample& sample : samples) {
         whole.add(sample);
         if (const Nearest nearest = nearest_target(sample, targets); nearest.face < targets.size()) {
-            const float weight = weight_of(sample, nearest.distance);
-            const std::array<float, 3> nearness = nearness_of(targets[nearest.face], nearest.place);
-            for (std::size_t corner = 0; corner < nearness.size(); ++corner) {
-                means[nearest.face][corner].add(sample, weight * nearness[corner]);
-            }
+            const double weight = sample.area * weight_of(sample, nearest.distance);
+            fits[nearest.face].add(sample.colour, parts_at(targets[nearest.face], nearest.place), weight);
         }
     }
     const glm::vec3 usual = whole.area > 0.0f ? whole.sum / whole.area : glm::vec3(1.0f);
-    std::vector<FacePaint> paint(means.size());
-    for (std::size_t face = 0; face < means.size(); ++face) {
-        std::transform(means[face].begin(), means[face].end(), paint[face].begin(),
-                       [&](const Mean& mean) { return mean.area > 0.0f ? mean.sum / mean.area : usual; });
+    std::vector<FacePaint> paint;
+    for (const CornerFit& fit : fits) {
+        paint.push_back(fit.corners().value_or(FacePaint{usual, usual, usual}));
     }
     return paint;
 }

@@ -17,11 +17,12 @@ using FacePaint = std::array<glm::vec3, 3>;
 /// Holds the paint of each face of the five low meshes, by index of mesh and face.
 using LowPaint = std::array<std::vector<FacePaint>, tank::MESH_KIND_COUNT>;
 
-/// Returns the paint of each face of a low mesh: the mean of what the texture shows on the high mesh where
-/// that lies nearest to the face and looks the same way, at each corner what is near that the most. A face to
-/// which nothing is nearest gets the mean of the whole mesh; so do all faces of a low mesh of more than a
-/// thousand. Lengths in metres. Both meshes in one frame, as the lab's are, wound as their normals say.
-/// Preconditions: the image has as many pixels as its size says, at least one; corners index what is there.
+/// Returns the paint of each face of a low mesh: fitted at its corners (corner_fit.h) to what the texture
+/// shows on the high mesh where that lies nearest to the face and looks the same way; and shows from where
+/// the low tank is drawn, where neighbours in the texture have become one. A face to which nothing is nearest
+/// gets the mean of the whole mesh; so do all faces of a low mesh of more than a thousand. Lengths in metres.
+/// Both meshes in one frame, as the lab's are, wound as their normals say. Preconditions: the image has as
+/// many pixels as its size says, at least one; corners index what is there.
 std::vector<FacePaint> paint_of(const mesh::ObjMesh& low, const mesh::ObjMesh& high,
                                 const mesh::Image& texture);
 

@@ -3,6 +3,7 @@
 #include "fixtures.h"
 
 #include <array>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -89,6 +90,28 @@ TEST(LowPaint, IsTheMeanByAreaOfWhatItStandsFor)
     }
 }
 
+TEST(LowPaint, IsWhatTheTextureShowsFromAfar)
+{
+    constexpr int SIZE = 64; // pixels for a metre, red and green in turn
+    mesh::Image chequered{.width = SIZE, .height = SIZE, .channels = 3, .pixels = {}};
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        const bool is_red = (i + i / SIZE) % 2 == 0;
+        chequered.pixels.insert(chequered.pixels.end(), {std::uint8_t(is_red ? 200 : 0),
+                                                         std::uint8_t(is_red ? 0 : 200), std::uint8_t(0)});
+    }
+    mesh::ObjMesh high;
+    add_square(high, {0, 0, 0}, Z, X, 0.0f);
+    high.texture_coordinates = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+    for (mesh::Face& face : high.faces) {
+        for (mesh::FaceVertex& corner : face.vertices) {
+            corner.texture_coordinate = corner.position;
+        }
+    }
+    for (const FacePaint& face : paint_of(high, high, chequered)) {
+        expect_colour(face, {100, 100, 0});
+    }
+}
+
 TEST(LowPaint, OfACornerIsWhatIsNearIt)
 {
     mesh::ObjMesh high;
@@ -139,7 +162,7 @@ TEST(LowPaint, GivesNumbersForFacesWithoutArea)
     }
 }
 
-TEST(LowPaint, OfOurTankTellsRubberFromPaint)
+TEST(LowPaint, OfOurTankTellsGunmetalFromPaint)
 {
     const Assets& assets = own_assets();
     const auto mean = [&](tank::MeshKind kind) {
@@ -151,7 +174,7 @@ TEST(LowPaint, OfOurTankTellsRubberFromPaint)
         }
         return sum;
     };
-    EXPECT_GT(mean(tank::MeshKind::main_gun).g, 1.2f * mean(tank::MeshKind::wheel).g);
+    EXPECT_GT(mean(tank::MeshKind::main_gun).g, 1.2f * mean(tank::MeshKind::secondary_gun).g);
 }
 
 } // namespace

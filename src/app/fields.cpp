@@ -165,10 +165,10 @@ constexpr double FURTHEST = 400.0;
 /// The near plane is never further away than this, so a threshold can be everywhere beyond it. Metres.
 constexpr double NEAREST_THRESHOLD = 1.0;
 
-/// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds a nearer one from
-/// which on no patches differ; there, side by side, an eye still finds the edges of camouflage, which the low
-/// tank's corners blur. Here a tank is 28 pixels long, and `scripts/model/blind.py` asks for a guess: someone
-/// who knew what to look for, and saw the pairs doubled in size, named the high one in 28 of 36.
+/// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds a nearer one
+/// from which on no patches differ; there, side by side, an eye still finds the edges of camouflage, which
+/// the low tank's corners blur. Here a tank is 28 pixels long; in pairs of `scripts/model/blind.py`, doubled
+/// in size, someone who knows what to look for still names the high one in about three of four.
 constexpr std::int64_t DEFAULT_THRESHOLD = 259'000;
 
 /// Where the projectile and its line can be: round everything that the tank can drive to. Metres.

@@ -115,7 +115,7 @@ void read_values(bool swap, GLenum format, GLenum type, const PackedType* packed
         for (int i = 0; i < packed->values(); ++i) {
             const std::uint32_t greatest = (1u << packed->bits[i]) - 1;
             const std::uint32_t value = word >> shift_of(*packed, i) & greatest;
-            values[i] = static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
+            values[i] = byte_of_bits(value, packed->bits[i]);
         }
         return;
     }

@@ -171,6 +171,18 @@ GLenum format_type_error(GLenum format, GLenum type)
     return fits ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
+std::uint8_t byte_of_bits(std::uint32_t value, int bits)
+{
+    if (bits >= 8) {
+        const std::uint32_t greatest = (1u << bits) - 1;
+        return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
+    }
+    std::uint32_t byte = 0;
+    for (int shift = 8 - bits; shift > -bits; shift -= bits)
+        byte |= shift >= 0 ? value << shift : value >> -shift;
+    return static_cast<std::uint8_t>(byte);
+}
+
 const PackedType* find_packed_type(GLenum type)
 {
     for (const PackedType& packed : PACKED_TYPES)

@@ -41,6 +41,10 @@ struct PackedType
     int values() const { return bits[3] == 0 ? 3 : 4; }
 };
 
+/// Returns a fraction given by so many bits (1 to 10) as a byte. Fewer than 8 bits are repeated, as Mesa
+/// does, which is beside the nearest byte for some fractions of 5 and 6 bits.
+std::uint8_t byte_of_bits(std::uint32_t value, int bits);
+
 /// Returns the packed type, or null when the type holds one value.
 const PackedType* find_packed_type(GLenum type);
 

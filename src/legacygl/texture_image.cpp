@@ -14,7 +14,7 @@ std::uint8_t through_bits(std::uint8_t value, int bits)
         return value;
     const int greatest = (1 << bits) - 1;
     const int kept = (value * greatest + 127) / 255;
-    return static_cast<std::uint8_t>((kept * 255 + greatest / 2) / greatest);
+    return byte_of_bits(static_cast<std::uint32_t>(kept), bits);
 }
 
 /// Keeps what the base format keeps of a pixel, spread as the sampler returns it (OpenGL 1.5, table 3.15).

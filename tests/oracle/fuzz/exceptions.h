@@ -16,8 +16,6 @@ struct SeedException
 constexpr unsigned TEST_SEEDS = 60;
 
 constexpr std::array EXCEPTIONS = {
-    SeedException{7, 5112,
-                  "A texture of five bits a channel, filtered: Mesa rounds its texels otherwise, by 1."},
     SeedException{50, 1, "A smooth line's corners pass through clip coordinates, which rounds them: by 1."},
     SeedException{59, 10, "Smooth lines over one another at the same depth, whose last bit is rounded."},
 };

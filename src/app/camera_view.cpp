@@ -15,8 +15,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double FIELD_OF_VIEW = pi / 4.0; // 45 degrees, as in the handout
-
 /// Beyond the tank by this much things can still be seen. Metres.
 constexpr double SEEN_BEHIND = 600.0;
 

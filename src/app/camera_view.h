@@ -5,9 +5,14 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <string_view>
 
 namespace app {
+
+/// How much the view from around shows from the bottom to the top of the window: 45 degrees, as in the
+/// handout.
+constexpr double FIELD_OF_VIEW = std::numbers::pi / 4.0;
 
 /// Holds what gluLookAt and gluPerspective need. Metres, radians.
 struct CameraView

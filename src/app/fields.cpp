@@ -165,10 +165,11 @@ constexpr double FURTHEST = 400.0;
 /// The near plane is never further away than this, so a threshold can be everywhere beyond it. Metres.
 constexpr double NEAREST_THRESHOLD = 1.0;
 
-/// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds a nearer one
-/// from which on no patches differ; there, side by side, an eye still finds the edges of camouflage, which
-/// the low tank's corners blur. Here a tank is 28 pixels long; in pairs of `scripts/model/blind.py`, doubled
-/// in size, someone who knows what to look for still names the high one in about three of four.
+/// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds that no patches
+/// differ from about 32 m on; there, side by side, an eye still finds the edges of camouflage, which the low
+/// tank's corners blur. Here a tank is 28 pixels long: of the pairs of `scripts/model/blind.py`, as large as
+/// in the window, a fresh eye named the high one in 20 of 36; doubled in size, one that knew what to look
+/// for in 28 of 36.
 constexpr std::int64_t DEFAULT_THRESHOLD = 259'000;
 
 /// Where the projectile and its line can be: round everything that the tank can drive to. Metres.

@@ -1,7 +1,9 @@
 #include "app/low_paint.h"
 
+#include "app/camera_view.h"
 #include "app/corner_fit.h"
 #include "app/mipmap.h"
+#include "app/state.h"
 #include "collision/triangle.h"
 
 #include <algorithm>
@@ -19,9 +21,8 @@ namespace {
 constexpr float SAMPLE_DISTANCE = 0.2f;
 constexpr int MOST_SAMPLES_ALONG_AN_EDGE = 24;
 
-/// So wide is a pixel where the low tank is shown, 259 metres away in a window 800 pixels high. Of the
-/// texture it shows a mipmap, where neighbours in the image have become one. Metres.
-constexpr double PIXEL = 0.27;
+/// How high the window is for which the low tank is painted. Pixels.
+constexpr double WINDOW_HEIGHT = 800.0;
 
 /// Of a mesh of more faces, only so many are looked at, spread evenly.
 constexpr std::size_t MOST_HIGH_FACES = 20'000;
@@ -127,7 +128,15 @@ void add_samples(const mesh::ObjMesh& obj, const mesh::Face& face, const Mipmap&
     }
 }
 
-/// Returns the image's mipmap that shows the mesh from as far away as pixels are PIXEL wide.
+/// Returns how much of the tank a pixel shows at the threshold that is shipped, where the low one takes over.
+/// Metres.
+double pixel_width()
+{
+    const double distance = State{}.show.threshold;
+    return distance * 2.0 * std::tan(FIELD_OF_VIEW / 2.0) / WINDOW_HEIGHT;
+}
+
+/// Returns the image's mipmap that shows the mesh from there: neighbours in the image have become one.
 Mipmap as_seen(const mesh::ObjMesh& obj, const mesh::Image& image)
 {
     double area = 0.0; // both doubled
@@ -139,7 +148,7 @@ Mipmap as_seen(const mesh::ObjMesh& obj, const mesh::Image& image)
         area += static_cast<double>(glm::length(doubled_area(triangle_of(obj, face))));
         texels += std::abs(b.x * c.y - b.y * c.x) * image.width * image.height;
     }
-    const double across = PIXEL * std::sqrt(area > 0.0 ? texels / area : 0.0);
+    const double across = pixel_width() * std::sqrt(area > 0.0 ? texels / area : 0.0);
     int side = 1;
     while (2 * side < std::min(image.width, image.height) && across > std::numbers::sqrt2 * side) {
         side *= 2; // nearest to it

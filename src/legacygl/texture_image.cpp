@@ -88,22 +88,46 @@ bool derives(const Texture& texture, int level)
            texture.levels[level].width > 0 && texture.levels[level].height > 0;
 }
 
-/// Returns the texels of a derived level: the mean of those of the level above that lie over each.
-std::vector<std::uint8_t> reduce(const std::vector<std::uint8_t>& from, int width, int height)
+/// Where a texel of a derived level is sampled in the level above, along one axis: between two texels.
+struct Between
+{
+    int first, second; ///< Texels of the level above.
+    int part;          ///< Of the second one, in 256ths.
+};
+
+Between between(int texel, int size, int size_above)
+{
+    // The texel's centre in 256ths of a texel of the level above, from its first texel's centre on.
+    const std::int64_t centre_twice = (2 * std::int64_t{texel} + 1) * size_above * 256;
+    const int place = static_cast<int>((centre_twice + size) / (2 * size)) - 128;
+    const int first = std::clamp(place >> 8, 0, size_above - 1);
+    return {first, std::min(first + 1, size_above - 1), place & 255};
+}
+
+/// Returns the texels of a derived level: the level above, sampled with GL_LINEAR at their centres by eight
+/// bits, rounded along each axis, as Mesa's llvmpipe does.
+std::vector<std::uint8_t> reduce(const std::vector<std::uint8_t>& above, int width, int height)
 {
     const int half_width = std::max(1, width / 2), half_height = std::max(1, height / 2);
-    std::vector<std::uint8_t> to(static_cast<std::size_t>(half_width) * half_height * 4);
-    const auto at = [&](int x, int y, int c) {
-        return from[(static_cast<std::size_t>(std::min(y, height - 1)) * width + std::min(x, width - 1)) * 4 +
-                    c];
-    };
-    for (int y = 0; y < half_height; ++y)
-        for (int x = 0; x < half_width; ++x)
-            for (int c = 0; c < 4; ++c)
-                to[(static_cast<std::size_t>(y) * half_width + x) * 4 + c] =
-                    static_cast<std::uint8_t>((at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) +
-                                               at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c) + 2) /
-                                              4);
+    std::vector<std::uint8_t> to;
+    to.reserve(static_cast<std::size_t>(half_width) * half_height * 4);
+    const auto mixed = [](int a, int b, int part) { return a + (((b - a) * part + 128) >> 8); };
+    for (int y = 0; y < half_height; ++y) {
+        const Between rows = between(y, half_height, height);
+        for (int x = 0; x < half_width; ++x) {
+            const Between columns = between(x, half_width, width);
+            for (int c = 0; c < 4; ++c) {
+                const auto along = [&](int row) {
+                    const auto at = [&](int column) {
+                        return above[(static_cast<std::size_t>(row) * width + column) * 4 + c];
+                    };
+                    return mixed(at(columns.first), at(columns.second), columns.part);
+                };
+                to.push_back(
+                    static_cast<std::uint8_t>(mixed(along(rows.first), along(rows.second), rows.part)));
+            }
+        }
+    }
     return to;
 }
 

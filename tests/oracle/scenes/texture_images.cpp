@@ -230,6 +230,33 @@ SCENE(texture_proxies)
     tell_error("dimensions");
 }
 
+SCENE(texture_generated_levels_read_back)
+{
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+    std::vector<GLubyte> texels;
+    for (unsigned i = 0, noise = 1; i < 63 * 35 * 4; ++i, noise = noise * 1664525 + 1013904223)
+        texels.push_back(static_cast<GLubyte>(noise >> 24));
+    for (const auto& [width, height] : {std::array{32, 16}, {63, 35}, {5, 9}, {31, 1}, {1, 6}})
+        for (const auto& [format, components] :
+             {std::array{GL_RGBA, 4}, {GL_RGB, 3}, {GL_LUMINANCE_ALPHA, 2}}) {
+            glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, static_cast<GLenum>(format),
+                         GL_UNSIGNED_BYTE, texels.data());
+            for (int level = 1; (width >> level | height >> level) != 0; ++level) {
+                const int size = std::max(1, width >> level) * std::max(1, height >> level) * components;
+                std::vector<GLubyte> read(static_cast<std::size_t>(size));
+                glGetTexImage(GL_TEXTURE_2D, level, static_cast<GLenum>(format), GL_UNSIGNED_BYTE,
+                              read.data());
+                std::string line = std::to_string(width) + " x " + std::to_string(height) + " level " +
+                                   std::to_string(level) + ":";
+                for (const GLubyte component : read)
+                    line += " " + std::to_string(component);
+                tell(line);
+            }
+        }
+}
+
 SCENE(texture_parameters_and_their_errors)
 {
     const auto all = [](GLenum target) {

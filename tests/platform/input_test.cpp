@@ -153,7 +153,7 @@ TEST_F(Input, IgnoresKeysThatDoNothing)
 {
     const app::State before = state;
     for (int scancode : {int(SDL_SCANCODE_UNKNOWN), int(SDL_SCANCODE_F5), int(SDL_SCANCODE_LSHIFT),
-                         SDL_NUM_SCANCODES - 1, int(SDL_NUM_SCANCODES), -1, 100'000}) {
+                         SDL_NUM_SCANCODES - 1, int(SDL_NUM_SCANCODES)}) {
         key(SDL_KEYDOWN, static_cast<SDL_Scancode>(scancode));
         key(SDL_KEYUP, static_cast<SDL_Scancode>(scancode));
     }

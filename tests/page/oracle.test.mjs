@@ -118,6 +118,7 @@ const TEXEL_EDGES = {
   texture_unpacking: 409,
   texture_changed_between_draws: 140,
   texture_client_formats_and_types: 1195,
+  texture_coordinates_of_no_vertex: 452, // the column at the right, whose coordinates are interpolated
   texture_copies: 101,
   texture_internal_formats: 907,
   texture_packed_types: 576,

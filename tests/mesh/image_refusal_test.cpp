@@ -1,6 +1,4 @@
-#include "mesh/image.h"
-#include "tests/mesh/invariants.h"
-#include "tests/mesh/sample_files.h"
+#include "tests/mesh/read_image.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -9,16 +7,6 @@
 namespace {
 
 using mesh::Image;
-
-Image read(const Bytes& bytes)
-{
-    mesh::Result<Image> result = mesh::read_image("test.png", bytes);
-    EXPECT_TRUE(result) << (result ? "" : result.error().message());
-    if (!result)
-        return {};
-    EXPECT_EQ(broken_invariant(result.value()), "");
-    return std::move(result).value();
-}
 
 std::string refusal(const Bytes& bytes)
 {

@@ -1,22 +1,10 @@
-#include "mesh/image.h"
-#include "tests/mesh/invariants.h"
-#include "tests/mesh/sample_files.h"
+#include "tests/mesh/read_image.h"
 
 #include <gtest/gtest.h>
 
 namespace {
 
 using mesh::Image;
-
-Image read(const Bytes& bytes)
-{
-    mesh::Result<Image> result = mesh::read_image("test.png", bytes);
-    EXPECT_TRUE(result) << (result ? "" : result.error().message());
-    if (!result)
-        return {};
-    EXPECT_EQ(broken_invariant(result.value()), "");
-    return std::move(result).value();
-}
 
 /// The pixel at (x, y), y counted from the top.
 Bytes pixel_from_top(const Image& image, int x, int y)

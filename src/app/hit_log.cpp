@@ -1,6 +1,7 @@
 #include "app/hit_log.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 

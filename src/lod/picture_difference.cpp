@@ -3,6 +3,7 @@
 #include "lod/reduced_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace lod {

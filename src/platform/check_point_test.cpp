@@ -2,6 +2,7 @@
 #include "platform/check_text.h"
 #include "platform/lab_2_checks.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <string_view>
 

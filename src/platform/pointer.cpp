@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/pointer.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <glm/vec2.hpp>
 

@@ -3,6 +3,7 @@
 #include "collision/rounding.h"
 #include "tests/collision/random_geometry.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>

@@ -2,6 +2,8 @@
 #include "collision/sphere_hierarchy.h"
 #include "tests/collision/random_hierarchy.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <vector>

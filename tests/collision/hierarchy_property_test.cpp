@@ -3,6 +3,7 @@
 #include "collision/sphere_hierarchy.h"
 #include "tests/collision/random_hierarchy.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 

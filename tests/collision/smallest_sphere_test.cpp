@@ -3,6 +3,7 @@
 #include "tests/collision/random_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include "collision/smallest_sphere.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>

@@ -2,8 +2,10 @@
 
 #include "tests/collision/random_geometry.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace collision {

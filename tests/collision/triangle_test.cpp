@@ -3,9 +3,12 @@
 #include "collision/closest_point.h"
 #include "tests/collision/random_geometry.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <vector>
 
 namespace collision {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 // Writes the valid files that fuzzing starts from: mesh_seeds FOLDER makes FOLDER/obj and FOLDER/image.
 

@@ -1,5 +1,6 @@
 #include "lod/level_selector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,6 +1,7 @@
 #include "tests/mesh/read_image.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
 

@@ -1,6 +1,7 @@
 #include "mesh/obj_reader.h"
 #include "tests/mesh/invariants.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <random>

@@ -1,6 +1,7 @@
 #include "picture_difference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace oracle {

@@ -2,6 +2,7 @@
 
 #include "particles/random.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

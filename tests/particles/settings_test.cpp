@@ -4,6 +4,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
+#include <vector>
 
 namespace particles {
 namespace {

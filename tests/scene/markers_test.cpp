@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <tuple>
 
 #include <GL/gl.h>
 #include <gtest/gtest.h>

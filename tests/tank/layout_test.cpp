@@ -1,5 +1,7 @@
 #include "tank/layout.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <vector>

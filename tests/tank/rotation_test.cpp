@@ -1,5 +1,6 @@
 #include "tank/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

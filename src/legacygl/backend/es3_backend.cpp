@@ -10,6 +10,7 @@
 #include "legacygl/backend/es3_target.h"
 #include "legacygl/backend/es3_textures.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>

@@ -3,6 +3,8 @@
 #include "legacygl/glu/mipmap_filter.h"
 #include "legacygl/glu/short_image.h"
 
+#include <utility>
+
 using namespace legacygl::glu;
 
 namespace {

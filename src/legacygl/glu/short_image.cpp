@@ -6,6 +6,8 @@
 #include "legacygl/glu/short_image.h"
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 namespace legacygl::glu {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "scenes/common.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 

@@ -45,7 +45,7 @@ public:
 
 private:
     template <class T>
-    requires std::is_arithmetic_v<T>
+        requires std::is_arithmetic_v<T>
     static void add(LegacyGLCall& call, T value)
     {
         if (call.argument_count < 16)
@@ -58,7 +58,9 @@ private:
     }
     /// Blobs and how they are laid out are not numbers.
     template <class T>
-    requires(!std::is_arithmetic_v<T>) static void add(LegacyGLCall&, const T&) {}
+        requires(!std::is_arithmetic_v<T>)
+    static void add(LegacyGLCall&, const T&)
+    {}
 
     bool active_ = false;
     std::vector<LegacyGLCall> calls_;

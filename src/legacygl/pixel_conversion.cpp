@@ -310,8 +310,7 @@ void pack_pixels(const PixelStore& store, int width, int height, GLenum format, 
 void pack_depths(const PixelStore& store, int width, int height, GLenum type,
                  std::span<const std::uint32_t> depths, std::uint8_t* out)
 {
-    pack_numbers(
-        store, width, height, type, [&](std::size_t i) { return depth_in(type, depths[i]); }, out);
+    pack_numbers(store, width, height, type, [&](std::size_t i) { return depth_in(type, depths[i]); }, out);
 }
 
 void pack_stencils(const PixelStore& store, int width, int height, GLenum type,

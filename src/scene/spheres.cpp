@@ -22,7 +22,7 @@ struct Opacity
 constexpr Opacity ROOT_OPACITY = {.face = 30, .wire_on_face = 60, .wire = 150};
 constexpr Opacity PART_OPACITY = {.face = 44, .wire_on_face = 60, .wire = 110};
 
-void set_colour(const app::SphereInFrame& sphere, std::uint8_t Opacity::*use)
+void set_colour(const app::SphereInFrame& sphere, std::uint8_t Opacity::* use)
 {
     const Rgb colour = level_colour(sphere.is_root);
     glColor4ub(colour.red, colour.green, colour.blue, (sphere.is_root ? ROOT_OPACITY : PART_OPACITY).*use);
@@ -38,7 +38,7 @@ void draw_side(const app::SphereInFrame& sphere, GLenum culled, const Shapes& sh
     glCullFace(GL_BACK);
 }
 
-void draw_wire(const app::SphereInFrame& sphere, std::uint8_t Opacity::*use, const Shapes& shapes)
+void draw_wire(const app::SphereInFrame& sphere, std::uint8_t Opacity::* use, const Shapes& shapes)
 {
     set_colour(sphere, use);
     shapes.draw_wire_sphere(sphere.centre, sphere.radius);

@@ -1,8 +1,9 @@
 // Checks of the source tree that no compiler makes: which folder includes which, who calls OpenGL, the
 // layout of the code, and that no file names a package registry's host.
 //
-//   node tests/layers/checks.mjs layers|format|hosts [ROOT]
+//   node tests/layers/checks.mjs layers|format|hosts [ROOT] [--write]
 //
+// --write has `format` lay the code out, rather than say where that is due.
 // Prints each violation as FILE:LINE: TEXT; the exit status is 1 where there is one, 2 where a check
 // cannot be made.
 import fs from "node:fs";
@@ -129,30 +130,44 @@ export function checkHosts(root) {
   return violations;
 }
 
-/** Returns where code is not laid out as .clang-format says. Throws where there is no clang-format. */
-export function checkFormat(root) {
+/** Returns where code is not laid out as .clang-format says; with `write`, lays it out so first.
+    The clang-format is npm's, so that every system has the same one: versions differ in how they lay code out.
+    Its API is used and not its program, which does not see files below /tmp. */
+export async function checkFormat(root, write = false) {
   const files = sourceFiles(root).filter((file) => CODE.test(file));
   if (files.length === 0) return [];
-  const run = spawnSync("clang-format", ["--style=file", "--dry-run", ...files], { cwd: root, encoding: "utf8", maxBuffer: 1 << 28 });
-  if (run.error) throw new Error(`clang-format does not start (${run.error.message}); scripts/setup test installs it`);
-  const places = [...run.stderr.matchAll(/^(.+?):(\d+):\d+: (?:warning|error): code should be clang-formatted/gm)];
-  if (run.status !== 0 && places.length === 0) throw new Error(`clang-format failed: ${run.stderr}`);
-  const seen = new Set();
-  return places
-    .map(([, file, line]) => ({ file, line: Number(line), text: "is not as clang-format lays it out (clang-format -i does)" }))
-    .filter(({ file, line }) => !seen.has(`${file}:${line}`) && seen.add(`${file}:${line}`));
+  const { format } = await import("@wasm-fmt/clang-format").catch((error) => {
+    throw new Error(`clang-format does not start (${error.message}); scripts/setup web installs it`);
+  });
+  const style = fs.readFileSync(path.join(root, ".clang-format"), "utf8");
+  const violations = [];
+  for (const file of files) {
+    const full = path.join(root, file);
+    const text = fs.readFileSync(full, "utf8");
+    const formatted = format(text, file, style);
+    if (formatted === text) continue;
+    if (write) {
+      fs.writeFileSync(full, formatted);
+      continue;
+    }
+    const expected = formatted.split("\n");
+    const line = text.split("\n").findIndex((content, index) => content !== expected[index]) + 1;
+    violations.push({ file, line, text: "is not as clang-format lays it out (checks.mjs format --write does it)" });
+  }
+  return violations;
 }
 
 const CHECKS = { layers: checkLayers, format: checkFormat, hosts: checkHosts };
 
 if (process.argv[1] && fs.realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
-  const [name, root = fileURLToPath(new URL("../..", import.meta.url))] = process.argv.slice(2);
+  const write = process.argv.includes("--write");
+  const [name, root = fileURLToPath(new URL("../..", import.meta.url))] = process.argv.slice(2).filter((given) => given !== "--write");
   if (!(name in CHECKS)) {
     console.error(`checks: there is no check '${name}': ${Object.keys(CHECKS).join(", ")}`);
     process.exit(2);
   }
   try {
-    const violations = CHECKS[name](root);
+    const violations = await CHECKS[name](root, write);
     for (const { file, line, text } of violations) console.log(`${file}:${line}: ${text}`);
     console.log(violations.length === 0 ? `${name}: nothing to object` : `${name}: ${violations.length} violations`);
     process.exitCode = violations.length === 0 ? 0 : 1;

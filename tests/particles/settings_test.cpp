@@ -141,15 +141,9 @@ std::vector<Limits> all_limits()
         vector("The normal of a collision plane must be between 0.001 and 1000 long.",
                [](S& s) -> glm::vec3& { return s.planes[0].normal; }, {-1000.0, 1000.0}, {1001.0}),
         {"The normal of a collision plane must be between 0.001 and 1000 long.",
-         {[](S& s) {
-             s.planes[0].normal = {0.0F, 0.0F, -0.0011F};
-         }},
-         {[](S& s) {
-              s.planes[0].normal = {0.0F, 0.0F, 0.0F};
-          },
-          [](S& s) {
-              s.planes[0].normal = {1e-30F, 0.0F, 0.0F};
-          }}},
+         {[](S& s) { s.planes[0].normal = {0.0F, 0.0F, -0.0011F}; }},
+         {[](S& s) { s.planes[0].normal = {0.0F, 0.0F, 0.0F}; },
+          [](S& s) { s.planes[0].normal = {1e-30F, 0.0F, 0.0F}; }}},
         vector("The point of a collision plane must be from -10000 to 10000 metres along each axis.",
                [](S& s) -> glm::vec3& { return s.planes[0].point; }, {-10'000.0, 10'000.0}, {-10'001.0}),
         number("The restitution of a collision plane must be from 0 to 1.",

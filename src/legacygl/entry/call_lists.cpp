@@ -90,8 +90,7 @@ void glCallLists(GLsizei n, GLenum type, const GLvoid* lists)
 
 void glListBase(GLuint base)
 {
-    dispatch(
-        __func__, [](Context& gl, GLuint b) { gl.state.list_base = b; }, base);
+    dispatch(__func__, [](Context& gl, GLuint b) { gl.state.list_base = b; }, base);
 }
 
 } // extern "C"

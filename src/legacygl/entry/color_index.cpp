@@ -11,8 +11,7 @@ namespace {
 
 void set_index(const char* name, GLfloat index)
 {
-    dispatch<Where::anywhere>(
-        name, [](Context& gl, GLfloat i) { gl.state.color_index.current = i; }, index);
+    dispatch<Where::anywhere>(name, [](Context& gl, GLfloat i) { gl.state.color_index.current = i; }, index);
 }
 
 } // namespace
@@ -37,14 +36,12 @@ INDEX(d, GLdouble)
 
 void glIndexMask(GLuint mask)
 {
-    dispatch(
-        __func__, [](Context& gl, GLuint m) { gl.state.color_index.write_mask = m; }, mask);
+    dispatch(__func__, [](Context& gl, GLuint m) { gl.state.color_index.write_mask = m; }, mask);
 }
 
 void glClearIndex(GLfloat c)
 {
-    dispatch(
-        __func__, [](Context& gl, GLfloat i) { gl.state.color_index.clear = i; }, c);
+    dispatch(__func__, [](Context& gl, GLfloat i) { gl.state.color_index.clear = i; }, c);
 }
 
 void glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha)

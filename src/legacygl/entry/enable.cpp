@@ -48,14 +48,12 @@ extern "C" {
 
 void glEnable(GLenum cap)
 {
-    dispatch(
-        __func__, [](Context& gl, GLenum c) { set_capability(gl, c, true); }, cap);
+    dispatch(__func__, [](Context& gl, GLenum c) { set_capability(gl, c, true); }, cap);
 }
 
 void glDisable(GLenum cap)
 {
-    dispatch(
-        __func__, [](Context& gl, GLenum c) { set_capability(gl, c, false); }, cap);
+    dispatch(__func__, [](Context& gl, GLenum c) { set_capability(gl, c, false); }, cap);
 }
 
 void glHint(GLenum target, GLenum mode)

@@ -103,8 +103,7 @@ void glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlp
 
 void glBlendEquation(GLenum mode)
 {
-    dispatch(
-        __func__, [](Context& gl, GLenum m) { set_blend_equations(gl, m, m); }, mode);
+    dispatch(__func__, [](Context& gl, GLenum m) { set_blend_equations(gl, m, m); }, mode);
 }
 
 void glBlendEquationSeparate(GLenum modeRGB, GLenum modeAlpha)

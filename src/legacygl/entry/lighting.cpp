@@ -178,8 +178,7 @@ template <class T, class Set> void scalar(const char* entry, GLenum name, T valu
     if (value_count(name) == 1)
         set(&value);
     else
-        dispatch(
-            entry, [](Context& gl, GLenum) { gl.set_error(GL_INVALID_ENUM); }, name);
+        dispatch(entry, [](Context& gl, GLenum) { gl.set_error(GL_INVALID_ENUM); }, name);
 }
 
 } // namespace

@@ -49,8 +49,7 @@ void glEndList()
 
 void glCallList(GLuint list)
 {
-    dispatch<Where::anywhere>(
-        __func__, [](Context& gl, GLuint name) { gl.call_list(name); }, list);
+    dispatch<Where::anywhere>(__func__, [](Context& gl, GLuint name) { gl.call_list(name); }, list);
 }
 
 void glDeleteLists(GLuint list, GLsizei range)
@@ -68,8 +67,7 @@ void glDeleteLists(GLuint list, GLsizei range)
 GLboolean glIsList(GLuint list)
 {
     bool is_list = false;
-    dispatch_now(
-        __func__, [&is_list](Context& gl, GLuint name) { is_list = gl.lists.contains(name); }, list);
+    dispatch_now(__func__, [&is_list](Context& gl, GLuint name) { is_list = gl.lists.contains(name); }, list);
     return is_list;
 }
 

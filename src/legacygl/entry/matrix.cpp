@@ -40,14 +40,12 @@ Matrix& top(Context& gl)
 
 void load(const char* name, const Values& values)
 {
-    dispatch(
-        name, [](Context& gl, const Values& m) { top(gl).load(m.data()); }, values);
+    dispatch(name, [](Context& gl, const Values& m) { top(gl).load(m.data()); }, values);
 }
 
 void multiply(const char* name, const Values& values)
 {
-    dispatch(
-        name, [](Context& gl, const Values& m) { top(gl).multiply(m.data()); }, values);
+    dispatch(name, [](Context& gl, const Values& m) { top(gl).multiply(m.data()); }, values);
 }
 
 void rotate(const char* name, float degrees, float x, float y, float z)
@@ -59,14 +57,12 @@ void rotate(const char* name, float degrees, float x, float y, float z)
 
 void scale(const char* name, float x, float y, float z)
 {
-    dispatch(
-        name, [](Context& gl, float sx, float sy, float sz) { top(gl).scale(sx, sy, sz); }, x, y, z);
+    dispatch(name, [](Context& gl, float sx, float sy, float sz) { top(gl).scale(sx, sy, sz); }, x, y, z);
 }
 
 void translate(const char* name, float x, float y, float z)
 {
-    dispatch(
-        name, [](Context& gl, float dx, float dy, float dz) { top(gl).translate(dx, dy, dz); }, x, y, z);
+    dispatch(name, [](Context& gl, float dx, float dy, float dz) { top(gl).translate(dx, dy, dz); }, x, y, z);
 }
 
 } // namespace

@@ -34,10 +34,7 @@ void secondary_color(const char* name, float r, float g, float b)
 void fog_coordinate(const char* name, float f)
 {
     dispatch_vertex(
-        name,
-        [](VertexAssembler& to, float x) {
-            to.attribute(Attribute::fog_coordinate, 1, {x, 0, 0, 1});
-        },
+        name, [](VertexAssembler& to, float x) { to.attribute(Attribute::fog_coordinate, 1, {x, 0, 0, 1}); },
         f);
 }
 
@@ -107,9 +104,7 @@ void glEdgeFlag(GLboolean flag)
 {
     dispatch_vertex(
         __func__,
-        [](VertexAssembler& to, GLboolean f) {
-            to.attribute(Attribute::edge_flag, 1, {f ? 1 : 0, 0, 0, 1});
-        },
+        [](VertexAssembler& to, GLboolean f) { to.attribute(Attribute::edge_flag, 1, {f ? 1 : 0, 0, 0, 1}); },
         flag);
 }
 

@@ -134,8 +134,7 @@ void glClearDepth(GLclampd depth)
 
 void glClearStencil(GLint s)
 {
-    dispatch(
-        __func__, [](Context& gl, GLint value) { gl.state.fragment.clear_stencil = value; }, s);
+    dispatch(__func__, [](Context& gl, GLint value) { gl.state.fragment.clear_stencil = value; }, s);
 }
 
 void glClear(GLbitfield mask)

@@ -59,8 +59,7 @@ template <class T> void one_point_parameter(const char* entry, GLenum name, T va
 {
     if (name != GL_POINT_DISTANCE_ATTENUATION)
         return point_parameter(entry, name, &value);
-    dispatch(
-        entry, [](Context& gl, GLenum) { gl.set_error(GL_INVALID_ENUM); }, name);
+    dispatch(entry, [](Context& gl, GLenum) { gl.set_error(GL_INVALID_ENUM); }, name);
 }
 
 void set_provoking_vertex(const char* entry, GLenum mode)

@@ -10,8 +10,7 @@ namespace {
 /// Outside selection a command on the stack of names does nothing.
 template <class... Args> void ignore(const char* name, Args... args)
 {
-    dispatch(
-        name, [](Context&, auto...) {}, args...);
+    dispatch(name, [](Context&, auto...) {}, args...);
 }
 
 } // namespace

@@ -41,23 +41,13 @@ QuadOrder QuadOrders::of(std::size_t i)
 
 bool QuadOrders::all_inside(std::size_t first, std::size_t end)
 {
-    if (!volume_) {
-        volume_.emplace(state_.transform);
-        projection_modelview_ =
-            Matrix::product(state_.transform.projection.top(), state_.transform.modelview.top());
-    }
-    const auto floats = static_cast<std::size_t>(batch_.format.floats());
-    const int components = batch_.format.components[0];
+    if (!outcodes_)
+        outcodes_.emplace(state_.transform, batch_);
     for (std::size_t p = first; p < end; ++p) {
         const Primitive& quads = primitives_[p];
         const std::uint32_t size = quads.mode == GL_QUADS ? 4 : 2;
-        for (std::uint32_t v = quads.first; v < quads.first + quads.count / size * size; ++v) {
-            glm::vec4 position = {0, 0, 0, 1};
-            for (int c = 0; c < components; ++c)
-                position[c] = batch_.vertices[v * floats + static_cast<std::size_t>(c)];
-            if (volume_->outside(projection_modelview_.transform(position)) != 0)
-                return false;
-        }
+        if (outcodes_->any(quads.first, quads.count / size * size, ClipVolume::ALL))
+            return false;
     }
     return true;
 }

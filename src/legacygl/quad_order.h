@@ -1,7 +1,7 @@
 #pragma once
 
+#include "legacygl/outcodes.h"
 #include "legacygl/primitives.h"
-#include "legacygl/raster/clipping.h"
 #include "legacygl/state/state.h"
 #include "legacygl/vertex_assembler.h"
 
@@ -34,8 +34,7 @@ private:
     const VertexBatch& batch_;
     const std::span<const Primitive> primitives_;
     const bool from_first_, emitted_; ///< Whether the state allows that.
-    std::optional<ClipVolume> volume_;
-    Matrix projection_modelview_;
+    std::optional<Outcodes> outcodes_;
     std::size_t known_until_ = 0; ///< The end of the neighbouring quads that inside_ is about.
     bool inside_ = false;
 };

@@ -1,5 +1,6 @@
 #include "legacygl/renderer.h"
 
+#include "legacygl/outcodes.h"
 #include "legacygl/quad_order.h"
 #include "legacygl/shader_text.h"
 #include "legacygl/shader_values.h"
@@ -214,7 +215,7 @@ void Renderer::for_each_program(const State& state, std::uint32_t varying, std::
 
 void Renderer::draw(const State& state, const VertexBatch& batch)
 {
-    if (const std::optional<RasterWork> work = raster_work(state, batch))
+    if (const std::optional<RasterWork> work = raster_work(state, batch, batch))
         return draw_shaded(state, batch, *work, false);
     const std::span<const Primitive> primitives = batch.primitives;
     draw_batch(state, batch, primitives.first(batch.primitives_of_one_color()), batch.varying(true));
@@ -238,7 +239,7 @@ void Renderer::draw_batch(const State& state, const VertexBatch& batch, std::spa
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
     const ListGeometry::Vertices& vertices = *geometry.vertices;
-    if (const std::optional<RasterWork> work = raster_work(state, geometry.traits))
+    if (const std::optional<RasterWork> work = raster_work(state, geometry.traits, vertices.batch))
         return draw_shaded(state, vertices.batch, *work, true);
     if (!geometry.object.valid())
         geometry.object.set(backend_,
@@ -254,8 +255,8 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
     for_each_program(state, geometry.traits.varying(false), runs.subspan(geometry.runs_of_one_color), draw);
 }
 
-/// Returns whether no pixel of the target is outside the viewport. ES may cut a point off at the viewport's
-/// edge, and OpenGL does not.
+/// Returns whether no pixel of the target is outside the viewport. ES may cut points and lines off at the
+/// viewport's edge, and OpenGL does not.
 bool Renderer::viewport_holds_target(const State& state) const
 {
     const std::array<GLint, 4>& v = state.transform.viewport;
@@ -263,27 +264,34 @@ bool Renderer::viewport_holds_target(const State& state) const
            v[1] + v[3] >= backend_.target_height;
 }
 
-/// Returns what ES cannot do itself for some of the primitives; nothing when it can do all.
-std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchTraits& batch) const
+/// Returns what ES cannot do itself for some of the primitives; nothing when it can do all. batch: the
+/// vertices that the traits are of.
+std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchTraits& traits,
+                                                const VertexBatch& batch)
 {
     const RasterState& raster = state.raster;
     const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
+    const bool beyond_viewport = !viewport_holds_target(state);
     const RasterWork work{raster.unfilled() || raster.offsets_in_pipeline(), wide, raster.line_smooth,
-                          raster.point_smooth};
-    const bool own_materials = state.lighting.enabled && batch.changes_materials;
+                          raster.point_smooth, beyond_viewport};
+    const bool own_materials = state.lighting.enabled && traits.changes_materials;
     const bool all =
         state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
         (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);
     constexpr std::uint32_t POINTS = 1u << GL_POINTS,
                             LINES = 1u << GL_LINES | 1u << GL_LINE_STRIP | 1u << GL_LINE_LOOP;
     std::uint32_t needed = all ? ~0u : 0;
-    if (work.smooth_points || raster.point_parameters.attenuates() || !viewport_holds_target(state))
+    if (work.smooth_points || raster.point_parameters.attenuates() || beyond_viewport)
         needed |= POINTS;
-    if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples())
+    if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples() || beyond_viewport)
         needed |= LINES;
     if (work.unfilled)
         needed |= ~(POINTS | LINES);
-    return batch.modes & needed ? std::optional(work) : std::nullopt;
+    if (traits.modes & needed)
+        return work;
+    const bool unclipped = (traits.modes & LINES) && !backend_.clips_lines() &&
+                           Outcodes(state.transform, batch).any(0, batch.vertex_count, ClipVolume::SIDES);
+    return unclipped ? std::optional(work) : std::nullopt;
 }
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list)

@@ -50,7 +50,8 @@ private:
     const ShaderKey& key_for(const State& state, PrimitiveClass primitive, std::uint32_t varying);
     const ShaderKey& use(const ShaderKey& key);
     const DrawState& prepare(const State& state, const ShaderKey& key);
-    std::optional<RasterWork> raster_work(const State& state, const BatchTraits& batch) const;
+    std::optional<RasterWork> raster_work(const State& state, const BatchTraits& traits,
+                                          const VertexBatch& batch);
     bool viewport_holds_target(const State& state) const;
     void draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
                     std::uint32_t varying);

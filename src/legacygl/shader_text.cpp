@@ -192,12 +192,13 @@ std::string polygon_stipple_text()
 }
 
 /// Makes the edge of a smooth line or point transparent, as the corners of add_smooth_line() and
-/// add_smooth_point() want it.
+/// add_smooth_point() want it. A line covers no more of a pixel than it is long.
 std::string coverage_text(Coverage coverage)
 {
     if (coverage == Coverage::line)
         return "    c.a = c.a * (clamp(coverage.y - abs(coverage.x), 0.0, 1.0) *\n"
-               "                 clamp(coverage.w - abs(coverage.z), 0.0, 1.0));\n";
+               "                 min(clamp(coverage.w - abs(coverage.z), 0.0, 1.0), coverage.w * 2.0 - "
+               "1.0));\n";
     return "    float squared = coverage.x * coverage.x + coverage.y * coverage.y;\n"
            "    if (coverage.w < squared)\n        discard;\n"
            "    c.a = c.a * (coverage.z >= squared ? (1.0 / (coverage.w - coverage.z)) * (coverage.w - "
@@ -233,6 +234,7 @@ std::string fragment_text(const ShaderKey& key)
     const bool two_side = key.lighting && key.two_side;
     std::string text = "#version 300 es\n"
                        "precision highp float;\n"
+                       "precision highp int;\n" // Of 16 bits, by default, a stipple's half row is negative.
                        "precision highp sampler2D;\n";
     text += varyings(key, "in");
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)

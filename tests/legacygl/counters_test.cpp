@@ -67,6 +67,7 @@ public:
     void read_pixels(bool, int, int, int, int, std::span<std::uint8_t>) override {}
     bool read_depths(int, int, int, int, std::span<std::uint32_t>) override { return true; }
     bool read_stencils(int, int, int, int, std::span<std::uint8_t>) override { return true; }
+    bool clips_lines() override { return true; }
     void flush(bool) override {}
     void resize(int, int) override {}
     void present() override {}

@@ -232,6 +232,57 @@ TEST_F(Raster, AStippleOfAllOnesLeavesLinesToTheGpu)
     EXPECT_EQ(drawn(PrimitiveClass::lines), 2u);
 }
 
+TEST_F(Raster, LinesThatLeaveTheViewAreCutWhereEsDoesNotCutThem)
+{
+    const auto lines = [&](float x) {
+        glBegin(GL_LINES);
+        glVertex2f(0, 0.5f);
+        glVertex2f(x, 0.5f);
+        glEnd();
+    };
+    const auto greatest_x = [&] {
+        float x = 0;
+        for (const Corner& corner : corners())
+            x = std::max(x, corner.position.x);
+        return x;
+    };
+    lines(3);
+    EXPECT_EQ(greatest_x(), 3) << "ES cuts it.";
+    backend->records.clear();
+    backend->lines_are_clipped = false;
+    lines(0.75f);
+    EXPECT_EQ(greatest_x(), 0.75f);
+    lines(3);
+    EXPECT_EQ(greatest_x(), 1);
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    lines(1e5f);
+    glEndList();
+    glCallList(list);
+    EXPECT_EQ(greatest_x(), 1);
+    EXPECT_EQ(drawn(PrimitiveClass::lines), 6u);
+}
+
+TEST_F(Raster, LinesReachBeyondAViewportThatIsSmallerThanTheTarget)
+{
+    glViewport(8, 8, 16, 16);
+    glBegin(GL_LINES);
+    glVertex2f(-1, -0.5f);
+    glVertex2f(-1, 3);
+    glEnd();
+    context->flush_vertices();
+    const BackendRecord draw = backend->draws().back();
+    EXPECT_LT(draw.pipeline.viewport[0], 8);
+    EXPECT_GT(draw.pipeline.viewport[2], 16);
+    const auto y = [&](const Corner& corner) {
+        const auto height = static_cast<float>(draw.pipeline.viewport[3]);
+        return (corner.position.y / corner.position.w + 1) * height / 2 +
+               static_cast<float>(draw.pipeline.viewport[1]);
+    };
+    EXPECT_FLOAT_EQ(y(corners().front()), 12);
+    EXPECT_FLOAT_EQ(y(corners().back()), 24) << "What is cut off is what is outside of the smaller viewport.";
+}
+
 TEST_F(Raster, LinesWiderThanEsDrawsBecomeTriangles)
 {
     backend->maximum_line_width = 1;

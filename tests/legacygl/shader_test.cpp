@@ -67,6 +67,14 @@ TEST_F(Shader, OneKeyHasOneTextAndOtherKeysHaveOthers)
     }
 }
 
+TEST_F(Shader, FragmentsCountInWholeNumbersOf32Bits)
+{
+    glEnable(GL_POLYGON_STIPPLE);
+    const std::string text = make_program_text(key()).fragment;
+    ASSERT_NE(text.find("int part"), std::string::npos) << "the stipple takes 16 bits of a row";
+    EXPECT_LT(text.find("precision highp int;"), text.find("int part")) << text;
+}
+
 TEST_F(Shader, UnlitVerticesDoNotReadNormals)
 {
     EXPECT_EQ(attributes_read(key()),

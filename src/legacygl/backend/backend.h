@@ -158,6 +158,9 @@ public:
     virtual bool read_depths(int x, int y, int width, int height, std::span<std::uint32_t> depths) = 0;
     /// Reads stencil values the same way.
     virtual bool read_stencils(int x, int y, int width, int height, std::span<std::uint8_t> values) = 0;
+    /// Returns whether lines are cut at the sides of the view volume as OpenGL says, however far outside they
+    /// end. Where not, they have to end inside.
+    virtual bool clips_lines() = 0;
     virtual void flush(bool wait) = 0;
 
     /// Follows target_width and target_height, which have changed.

@@ -5,6 +5,7 @@
 #include "legacygl/backend/es3_fixed_state.h"
 #include "legacygl/backend/es3_functions.h"
 #include "legacygl/backend/es3_geometry.h"
+#include "legacygl/backend/es3_line_probe.h"
 #include "legacygl/backend/es3_programs.h"
 #include "legacygl/backend/es3_stream.h"
 #include "legacygl/backend/es3_target.h"
@@ -158,6 +159,18 @@ public:
         return done;
     }
 
+    bool clips_lines() override
+    {
+        if (lost_)
+            return true;
+        if (!clips_lines_) {
+            draw_waiting();
+            clips_lines_ = legacygl::clips_lines(gl_);
+            forget_state();
+        }
+        return *clips_lines_;
+    }
+
     void flush(bool wait) override
     {
         draw_waiting();
@@ -193,6 +206,7 @@ public:
         batch_.begin(1);
         target_.forget();
         covering_.forget();
+        clips_lines_.reset();
         lost_ = true;
     }
 
@@ -327,6 +341,7 @@ private:
     std::uint64_t batch_number_ = 0;
 
     bool lost_ = false;
+    std::optional<bool> clips_lines_; ///< Once it was asked for.
     std::array<std::optional<glm::vec4>, ATTRIBUTE_COUNT> constants_;
 };
 

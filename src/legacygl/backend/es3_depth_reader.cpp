@@ -11,6 +11,7 @@ namespace {
 /// round it up on the way: excess is 1, or 2 for those (see excess_of_depths).
 constexpr const char* DEPTH_FRAGMENT = R"(#version 300 es
 precision highp float;
+precision highp int;
 precision highp sampler2D;
 uniform sampler2D depths;
 uniform int excess;
@@ -27,6 +28,7 @@ void main()
 
 constexpr const char* WHITE_FRAGMENT = R"(#version 300 es
 precision highp float;
+precision highp int;
 out vec4 color;
 void main()
 {

@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* COPY_FRAGMENT = R"(#version 300 es
 precision highp float;
+precision highp int;
 precision highp sampler2D;
 uniform sampler2D picture;
 out vec4 color;

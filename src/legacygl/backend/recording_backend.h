@@ -60,6 +60,7 @@ public:
     void read_pixels(bool front, int x, int y, int width, int height, std::span<std::uint8_t> rgba) override;
     bool read_depths(int x, int y, int width, int height, std::span<std::uint32_t> depths) override;
     bool read_stencils(int x, int y, int width, int height, std::span<std::uint8_t> values) override;
+    bool clips_lines() override { return lines_are_clipped; }
     void flush(bool wait) override;
     void resize(int width, int height) override;
     void present() override;
@@ -67,6 +68,7 @@ public:
     void context_lost() override;
     void context_restored() override;
 
+    bool lines_are_clipped = true;
     int live_geometries = 0; ///< Made and not destroyed.
     int live_textures = 0;
 

@@ -16,6 +16,7 @@ class ClipVolume
 {
 public:
     static constexpr int VIEW_PLANES = 6, PLANES = VIEW_PLANES + CLIP_PLANE_COUNT;
+    static constexpr std::uint32_t SIDES = 0xf, ALL = ~0u; ///< Planes as bits: of x and y; all.
 
     explicit ClipVolume(const TransformState& state);
 

@@ -107,8 +107,9 @@ EndOffsets end_offsets_x(const End& a, const End& b, float dx, float dy)
 {
     const DrawnEnds drawn = drawn_ends_x(a, b, dx, dy);
     const float xa = a.du(), xb = b.du();
-    const bool will_draw_start = sign(-xa) != sign(dx);
-    const bool will_draw_end = sign(xb) == sign(-dx) || xb == 0;
+    // A pixel whose centre is on the left edge is drawn, one on the right edge is not.
+    const bool will_draw_start = dx < 0 ? xa <= 0 : xa > 0;
+    const bool will_draw_end = dx < 0 ? xb > 0 : xb <= 0;
     const float edge = dx < 0 ? -0.5f : 0.5f;
     EndOffsets offsets;
     // A line to the left has its ends exchanged; the edge of the pixel is then on the other side.
@@ -123,8 +124,9 @@ EndOffsets end_offsets_y(const End& a, const End& b, float dx, float dy)
 {
     const DrawnEnds drawn = drawn_ends_y(a, b, dx, dy);
     const float ya = a.du(), yb = b.du();
-    const bool will_draw_start = sign(ya) == sign(dy);
-    const bool will_draw_end = sign(-yb) == sign(dy) || yb == 0;
+    // So is one on the lower edge, and not on the upper one.
+    const bool will_draw_start = dy > 0 ? ya > 0 : ya <= 0;
+    const bool will_draw_end = dy > 0 ? yb <= 0 : yb > 0;
     const float edge = dy > 0 ? 0.5f : -0.5f;
     EndOffsets offsets;
     if (will_draw_start != drawn.start)

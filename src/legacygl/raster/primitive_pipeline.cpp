@@ -241,7 +241,7 @@ void PrimitivePipeline::draw_line(const ShadedVertex& a, const ShadedVertex& b, 
     if (work_.smooth_lines)
         return add_smooth_line(a, b, state_.raster.line_width, out_);
     if (!cut && !work_.line_quads)
-        return out_.line(a, b);
+        return out_.line(a, b, work_.beyond_viewport);
     std::array<LineCorner, 4> corners;
     if (!line_corners(a.window, b.window, std::min(state_.raster.line_width, MAXIMUM_LINE_WIDTH), corners))
         return;

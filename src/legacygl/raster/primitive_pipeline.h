@@ -16,6 +16,7 @@ struct RasterWork
     bool line_quads; ///< Lines are drawn as quadrilaterals, with the coverage of Mesa's.
     bool smooth_lines;
     bool smooth_points;
+    bool beyond_viewport; ///< Some of the target is outside of the viewport, and lines may reach there.
 };
 
 /// Takes shaded primitives through what lies between vertices and fragments, in the order of Mesa's pipeline:

@@ -8,7 +8,8 @@ namespace legacygl {
 
 RasterOutput::RasterOutput(const ShaderKey& key, const ViewportTransform& viewport, float line_reach,
                            bool apart)
-    : viewport_(viewport), line_reach_(line_reach), apart_(apart)
+    : viewport_(viewport), grown_viewport_(viewport.grown(VIEWPORT_MARGIN)), line_reach_(line_reach),
+      apart_(apart)
 {
     const auto hold = [this](Attribute attribute, int components) {
         format_.components[index_of(attribute)] = static_cast<std::uint8_t>(components);
@@ -78,12 +79,14 @@ void RasterOutput::point(const ShadedVertex& vertex)
         vertex.varyings);
 }
 
-void RasterOutput::line(const ShadedVertex& a, const ShadedVertex& b)
+void RasterOutput::line(const ShadedVertex& a, const ShadedVertex& b, bool reaches)
 {
     const std::array<ShadedVertex, 2> ends = {a, b};
-    begin({PrimitiveClass::lines, Coverage::whole, false, false, 0, 0, {}}, box_of(ends, line_reach_));
+    begin({PrimitiveClass::lines, Coverage::whole, false, reaches, 0, 0, {}}, box_of(ends, line_reach_));
     for (const ShadedVertex& v : ends)
-        add(clip_of(v), {}, v.varyings);
+        add(reaches ? grown_viewport_.clip_onto(v.window, viewport_.clip(v.window, VIEWPORT_MARGIN))
+                    : clip_of(v),
+            {}, v.varyings);
 }
 
 void RasterOutput::triangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c)

@@ -40,7 +40,8 @@ public:
     RasterOutput(const ShaderKey& key, const ViewportTransform& viewport, float line_reach, bool apart);
 
     void point(const ShadedVertex& vertex);
-    void line(const ShadedVertex& a, const ShadedVertex& b);
+    /// reaches: whether some of it may be drawn beyond the viewport.
+    void line(const ShadedVertex& a, const ShadedVertex& b, bool reaches);
     /// The corners may be outside of the view volume.
     void triangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c);
     /// A quadrilateral that stands for a line or a point: its corners are where their window coordinates say.
@@ -58,6 +59,7 @@ private:
     void add(const glm::vec4& clip, const glm::vec4& extra, const Varyings& varyings);
 
     const ViewportTransform& viewport_;
+    const ViewportTransform grown_viewport_; ///< By VIEWPORT_MARGIN.
     const float line_reach_;
     const bool apart_;
     VertexFormat format_;

@@ -10,13 +10,13 @@ namespace legacygl {
 void add_smooth_line(const ShadedVertex& a, const ShadedVertex& b, float width, RasterOutput& out)
 {
     const float dx = b.window.x - a.window.x, dy = b.window.y - a.window.y;
-    const double angle = std::atan2(static_cast<double>(dy), static_cast<double>(dx));
-    const float c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+    const float length = std::sqrt(dx * dx + dy * dy);
+    if (length == 0)
+        return;
+    const float c = dx / length, s = dy / length;
     const float clamped_width = std::min(std::max(width, 1.0f), MAXIMUM_LINE_WIDTH);
     const float half_width = clamped_width <= 1 ? 1.0f : 0.5f * clamped_width + 0.5f;
-    float half_length = 0.5f * std::sqrt(dx * dx + dy * dy);
-    // One value along the line cannot say the distances to both of its ends: a short line fades as a whole.
-    half_length = half_length < 0.5f ? 2 * half_length : half_length + 0.5f;
+    const float half_length = 0.5f * length + 0.5f;
     std::array<ShadedVertex, 4> corners = {a, a, b, b};
     std::array<CoverageValues, 4> values{};
     for (std::size_t i = 0; i < 4; ++i) {

@@ -32,6 +32,15 @@ public:
         translate_.z = static_cast<float>(0.5 * (far_depth + near_depth));
     }
 
+    /// Returns that of a viewport which is larger by margin pixels to all sides.
+    ViewportTransform grown(float margin) const
+    {
+        ViewportTransform larger = *this;
+        larger.scale_.x += margin;
+        larger.scale_.y += margin;
+        return larger;
+    }
+
     /// Returns pixels, the depth in [0, 1] and 1 / w.
     glm::vec4 window(const glm::vec4& clip) const
     {

@@ -89,7 +89,7 @@ std::string check_image_before_header(ImageFormat format, std::span<const std::u
 std::string check_image_data(ImageFormat format, std::span<const std::uint8_t> bytes, long long pixels)
 {
     if (format == ImageFormat::jpeg)
-        return check_jpeg_size(bytes, pixels);
+        return check_jpeg_scans(bytes, pixels);
     return format == ImageFormat::tga_or_unknown ? check_tga(bytes, pixels) : "";
 }
 

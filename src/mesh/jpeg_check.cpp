@@ -9,6 +9,7 @@ namespace {
 // Markers and segments: ITU-T T.81, annex B.
 constexpr std::uint8_t define_huffman_tables = 0xC4;
 constexpr std::uint8_t start_of_scan = 0xDA;
+constexpr std::uint8_t end_of_image = 0xD9;
 
 /// Tells whether each Huffman table of the segment at `at`, behind its marker, has at most 256 codes
 /// (B.2.4.2).
@@ -33,6 +34,7 @@ struct Findings
 {
     bool sound_tables = true;
     long long scans = 0;
+    bool ends = false; ///< With the marker that says so.
 };
 
 /// Goes through the segments before the first scan as stb_image does: a marker (0xFF, perhaps repeated, and a
@@ -69,6 +71,7 @@ void look_at_scans(std::span<const std::uint8_t> bytes, std::size_t begin, Findi
         if (bytes[i] != 0xFF)
             continue;
         findings.scans += bytes[i + 1] == start_of_scan ? 1 : 0;
+        findings.ends |= bytes[i + 1] == end_of_image;
         if (bytes[i + 1] == define_huffman_tables)
             findings.sound_tables &= has_sound_huffman_tables(bytes, i + 2);
     }
@@ -91,17 +94,17 @@ std::string check_jpeg_tables(std::span<const std::uint8_t> bytes)
                : "the JPEG image is damaged (in a Huffman table); copy or save it again";
 }
 
-std::string check_jpeg_size(std::span<const std::uint8_t> bytes, long long pixels)
+std::string check_jpeg_scans(std::span<const std::uint8_t> bytes, long long pixels)
 {
     // A block of 64 pixels costs at least a bit in one of the scans, so a byte gives at most 512 pixels of a
     // grey image. Real files have at most 350 a byte, and a dozen scans.
     constexpr long long most_pixels_per_byte = 1024;
     constexpr long long most_pixels_in_scans = 1LL << 30;
-    if (pixels > most_pixels_per_byte * static_cast<long long>(bytes.size()))
+    const Findings found = look_at(bytes);
+    if (!found.ends || pixels > most_pixels_per_byte * static_cast<long long>(bytes.size()))
         return "the image is cut short; copy or save it again";
-    const long long scans = look_at(bytes).scans;
-    if (scans > 1 && scans * pixels > most_pixels_in_scans)
-        return "the JPEG image has " + std::to_string(scans) +
+    if (found.scans > 1 && found.scans * pixels > most_pixels_in_scans)
+        return "the JPEG image has " + std::to_string(found.scans) +
                " scans, too many for its size; save it again as PNG";
     return {};
 }

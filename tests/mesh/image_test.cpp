@@ -235,14 +235,17 @@ void dirty_memory(std::uint8_t byte)
 
 TEST(ReadImage, DoesNotShowWhatWasInMemoryWhereADamagedImageLeavesAHole)
 {
-    for (const Bytes& damaged : {jpeg_without_colour(), png_that_copies_from_nowhere()}) {
+    const Bytes images[] = {jpeg_without_colour(), png_that_copies_from_nowhere()};
+    for (const Bytes& damaged : images) {
         dirty_memory(0x11);
         const mesh::Result<Image> first = mesh::read_image("a", damaged);
         dirty_memory(0xEE);
         const mesh::Result<Image> second = mesh::read_image("a", damaged);
-        ASSERT_TRUE(first) << first.error().message();
-        ASSERT_TRUE(second);
-        EXPECT_EQ(first.value().pixels, second.value().pixels);
+        ASSERT_EQ(bool(first), bool(second)) << (first ? second : first).error().message();
+        if (first) // stb_image 2.30 refuses the PNG.
+            EXPECT_EQ(first.value().pixels, second.value().pixels);
+        else
+            EXPECT_EQ(&damaged, &images[1]) << first.error().message();
     }
 }
 

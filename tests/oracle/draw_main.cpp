@@ -1,7 +1,8 @@
 // Draws every scene into a folder: <scene>.rgba (WIDTH × HEIGHT pixels of four bytes, the bottom row first)
-// and <scene>.txt (what the scene told and the error it left). Linked once with legacygl and once with the
-// system's OpenGL; compare_test then holds the two folders together, and tests/page/oracle.test.mjs the page.
-// Linked with an unchecked legacygl, too, which draws what a checked one drew without an error.
+// and <scene>.txt (what the scene told and the error it left); and version, the OpenGL's. Linked once with
+// legacygl and once with the system's OpenGL; compare_test then holds the two folders together, and
+// tests/page/oracle.test.mjs the page. Linked with an unchecked legacygl, too, which draws what a checked one
+// drew without an error.
 
 #include "drawing.h"
 #include "platform/offscreen_target.h"
@@ -38,7 +39,7 @@ int main(int argc, char** argv)
         return 2;
     }
     const std::string folder = argv[1], choice = argc == 3 ? argv[2] : "";
-    std::string renderer = "nothing";
+    std::string renderer = "nothing", version;
     int count = 0;
     for (const oracle::Scene& scene : oracle::scenes()) {
         if (!chosen(choice, scene.name))
@@ -50,6 +51,7 @@ int main(int argc, char** argv)
             return 2;
         }
         renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+        version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
         const oracle::Drawn drawn = oracle::draw(scene);
         write(folder + "/" + scene.name + ".rgba", drawn.rgba.data(), drawn.rgba.size());
         write(folder + "/" + scene.name + ".txt", drawn.told.data(), drawn.told.size());
@@ -57,6 +59,7 @@ int main(int argc, char** argv)
         drawn.erred ? write(erred, "", 0) : static_cast<void>(std::filesystem::remove(erred));
         ++count;
     }
+    write(folder + "/version", version.data(), version.size());
     std::printf("%d scenes on %s\n", count, renderer.c_str());
     return 0;
 }

@@ -1,17 +1,21 @@
 #pragma once
 
+#include "mesa_version.h"
+
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace oracle {
 
-/// How many pixels of a scene may differ from the system's OpenGL by more than 2 of 255, and why.
-/// Zero for all but counted, explained exceptions.
+/// How many pixels of a scene may differ from the system's OpenGL by more than 2 of 255, and why. Zero for
+/// all but counted, explained exceptions. Where only some versions of Mesa differ, `why` names the clause of
+/// the specification that decides, or that leaves it open.
 struct Exception
 {
     int pixels = 0;
     const char* why = "";
+    MesaVersions versions{};
 };
 
 /// The size of a picture in pixels.

@@ -3,11 +3,14 @@
 // Reads lines from its input and answers each on its output:
 //   SEED [INDEX ...]    draws the program, or only those of its calls: how many bytes, and the bytes of
 //                       SIZE × SIZE pixels of four bytes followed by what was told (errors)
+//   version             says the OpenGL's: how many bytes, and the bytes
 
 #include "fuzz/fuzz_program.h"
 
 #include "drawing.h"
 #include "platform/offscreen_target.h"
+
+#include <GL/gl.h>
 
 #include <cstdio>
 #include <iostream>
@@ -29,6 +32,13 @@ std::string drawn(const random_gl::Program& program, const std::vector<std::size
     return std::string(drawn.rgba.begin(), drawn.rgba.end()) + drawn.told;
 }
 
+std::string version()
+{
+    std::string error;
+    const auto target = platform::open_offscreen_target(SIZE, SIZE, error);
+    return target ? reinterpret_cast<const char*>(glGetString(GL_VERSION)) : error;
+}
+
 void answer(const std::string& bytes)
 {
     std::cout << bytes.size() << '\n' << bytes << std::flush;
@@ -39,6 +49,10 @@ void answer(const std::string& bytes)
 int main()
 {
     for (std::string line; std::getline(std::cin, line);) {
+        if (line == "version") {
+            answer(version());
+            continue;
+        }
         std::istringstream words(line);
         unsigned seed = 0;
         words >> seed;

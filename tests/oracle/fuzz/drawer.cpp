@@ -1,5 +1,6 @@
 #include "fuzz/drawer.h"
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,14 +13,13 @@ void Drawer::start()
 {
     std::signal(SIGPIPE, SIG_IGN);
     int wishes[2], answers[2];
-    if (pipe(wishes) != 0 || pipe(answers) != 0)
+    // Closed in the programs started, or another one would keep this one's input open.
+    if (pipe2(wishes, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0)
         std::abort();
     process_ = fork();
     if (process_ == 0) {
         dup2(wishes[0], STDIN_FILENO);
         dup2(answers[1], STDOUT_FILENO);
-        for (const int file : {wishes[0], wishes[1], answers[0], answers[1]})
-            close(file);
         execl(executable_.c_str(), executable_.c_str(), static_cast<char*>(nullptr));
         _exit(127);
     }
@@ -47,6 +47,14 @@ void Drawer::ask(unsigned seed, const std::vector<std::size_t>& kept)
     for (const std::size_t i : kept)
         std::fprintf(to_, " %zu", i);
     std::fprintf(to_, "\n");
+    std::fflush(to_);
+}
+
+void Drawer::ask_version()
+{
+    if (process_ < 0)
+        start();
+    std::fprintf(to_, "version\n");
     std::fflush(to_);
 }
 

@@ -19,6 +19,8 @@ public:
 
     /// Asks for a seed's program, made without the calls that are not kept.
     void ask(unsigned seed, const std::vector<std::size_t>& kept);
+    /// Asks for the version of the OpenGL that draws.
+    void ask_version();
     /// Returns the pixels asked for and what was told; less than the pixels when the drawer ended.
     std::string answer();
 

@@ -35,6 +35,13 @@ public:
         return compare(emulated, reference_.answer());
     }
 
+    /// Returns the major version of Mesa that draws the reference, see mesa_version().
+    int reference_version()
+    {
+        reference_.ask_version();
+        return oracle::mesa_version(reference_.answer());
+    }
+
 private:
     static PictureDifference compare(const std::string& a, const std::string& b)
     {
@@ -110,10 +117,11 @@ int sweep(Comparison& comparison, unsigned first, unsigned count, bool shrinks)
 }
 
 /// Returns whether a seed is as it should be, and says so where not.
-bool holds(unsigned seed, const PictureDifference& d)
+bool holds(unsigned seed, const PictureDifference& d, int version)
 {
-    const auto exception = std::find_if(oracle::fuzz::EXCEPTIONS.begin(), oracle::fuzz::EXCEPTIONS.end(),
-                                        [seed](const auto& e) { return e.seed == seed; });
+    const auto exception =
+        std::find_if(oracle::fuzz::EXCEPTIONS.begin(), oracle::fuzz::EXCEPTIONS.end(),
+                     [&](const auto& e) { return e.seed == seed && e.versions.contain(version); });
     if (exception == oracle::fuzz::EXCEPTIONS.end()) {
         if (d.differs())
             say(seed, d);
@@ -129,12 +137,12 @@ bool holds(unsigned seed, const PictureDifference& d)
 int test(Comparison& comparison)
 {
     unsigned failures = 0;
+    const int version = comparison.reference_version();
     for (unsigned seed = 1; seed <= oracle::fuzz::TEST_SEEDS; ++seed) {
         const random_gl::Program program = oracle::fuzz::make_program(seed);
-        failures += !holds(seed, comparison.of(seed, oracle::fuzz::all(program)));
+        failures += !holds(seed, comparison.of(seed, oracle::fuzz::all(program)), version);
     }
-    std::printf("%u seeds, %zu of them exceptions; %u failures\n", oracle::fuzz::TEST_SEEDS,
-                oracle::fuzz::EXCEPTIONS.size(), failures);
+    std::printf("%u seeds; %u failures\n", oracle::fuzz::TEST_SEEDS, failures);
     return failures == 0 ? 0 : 1;
 }
 

@@ -194,7 +194,12 @@ SCENE(smooth_lines_blended)
     star(80, 60, 55, 19);
 }
 
-SCENE(smooth_wide_lines_blended)
+SCENE(
+    smooth_wide_lines_blended,
+    {5,
+     "OpenGL 1.5, 3.2 leaves open how coverage is computed. A line shorter than a pixel is as long as it is "
+     "here, as in newer versions; in this one half of it.",
+     {0, 22}})
 {
     pixels();
     glEnable(GL_LINE_SMOOTH);

@@ -37,7 +37,12 @@ SCENE(handout_floor_cube_and_ball)
     glPopMatrix();
 }
 
-SCENE(list_uses_the_current_colour_of_the_call)
+SCENE(list_uses_the_current_colour_of_the_call,
+      {1740,
+       "OpenGL 1.5, 2.7: a vertex has the colour that is current when it is given, and 5.4: a list's "
+       "commands are "
+       "executed at the call. This Mesa gives those before the list's first colour that colour.",
+       {23}})
 {
     two_dimensions();
     const GLuint list = glGenLists(1);

@@ -191,9 +191,15 @@ SCENE(level_of_detail_biased_by_unit_and_texture)
 
 SCENE(limits_and_ranges)
 {
+    // The greatest size is the implementation's; OpenGL 1.5, table 6.27, asks for 1.
+    for (const GLenum name : {GL_POINT_SIZE_RANGE, GL_LINE_WIDTH_RANGE, GL_ALIASED_POINT_SIZE_RANGE,
+                              GL_ALIASED_LINE_WIDTH_RANGE}) {
+        GLfloat values[2] = {-7, -7};
+        glGetFloatv(name, values);
+        oracle::tell(std::to_string(values[0]) + (values[1] >= 1 ? " and more" : " alone"));
+    }
     for (const GLenum name :
-         {GL_POINT_SIZE_RANGE, GL_LINE_WIDTH_RANGE, GL_ALIASED_POINT_SIZE_RANGE, GL_ALIASED_LINE_WIDTH_RANGE,
-          GL_POINT_SIZE_GRANULARITY, GL_LINE_WIDTH_GRANULARITY, GL_MAX_TEXTURE_LOD_BIAS,
+         {GL_POINT_SIZE_GRANULARITY, GL_LINE_WIDTH_GRANULARITY, GL_MAX_TEXTURE_LOD_BIAS,
           GL_MAX_NAME_STACK_DEPTH, GL_NAME_STACK_DEPTH, GL_MAX_VIEWPORT_DIMS, GL_AUTO_NORMAL}) {
         GLfloat values[2] = {-7, -7};
         glGetFloatv(name, values);

@@ -16,6 +16,7 @@ struct Exception
     int pixels = 0;
     const char* why = "";
     MesaVersions versions{};
+    int told = 0; ///< How far whole numbers that the scene tells may be off.
 };
 
 /// The size of a picture in pixels.

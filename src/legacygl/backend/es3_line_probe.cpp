@@ -9,15 +9,17 @@
 namespace legacygl {
 namespace {
 
-constexpr int WIDTH = 8, HEIGHT = 2;
+constexpr int WIDTH = 8, HEIGHT = 3;
 
-/// Along the lower row of pixels from far left to far right; along the upper one from the middle to the left
-/// edge and beyond, where it ends behind the eye.
+/// In the lowest row of pixels from far left to far right; in those above from the middle to the left edge
+/// and beyond: to an end behind the eye, and to one at infinity.
 constexpr const char* VERTEX = R"(#version 300 es
 void main()
 {
-    vec4 ends[4] = vec4[4](vec4(-1e6, -0.5, 0.0, 1.0), vec4(1e6, -0.5, 0.0, 1.0),
-                           vec4(0.0, 0.5, 0.0, 1.0), vec4(-8.0, -0.5, 0.0, -1.0));
+    const float row = 2.0 / 3.0;
+    vec4 ends[6] = vec4[6](vec4(-1e6, -row, 0.0, 1.0), vec4(1e6, -row, 0.0, 1.0),
+                           vec4(0.0, 0.0, 0.0, 1.0), vec4(-8.0, 0.0, 0.0, -1.0),
+                           vec4(0.0, row, 0.0, 1.0), vec4(-1.0, 0.0, 0.0, 0.0));
     gl_Position = ends[gl_VertexID];
 }
 )";
@@ -80,13 +82,13 @@ bool clips_lines(const Es3Functions& gl)
     gl.GenVertexArrays(1, &vertex_array);
     gl.BindVertexArray(vertex_array);
     gl.UseProgram(program);
-    gl.DrawArrays(GL_LINES, 0, 4);
+    gl.DrawArrays(GL_LINES, 0, 6);
     std::array<std::uint8_t, static_cast<std::size_t>(WIDTH) * HEIGHT * 4> rgba{};
     gl.ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     gl.DeleteVertexArrays(1, &vertex_array);
     gl.DeleteProgram(program);
     const auto drawn = [&](int x, int y) { return rgba[static_cast<std::size_t>(4 * (y * WIDTH + x))] != 0; };
-    return drawn(1, 0) && drawn(6, 0) && drawn(1, 1) && !drawn(6, 1);
+    return drawn(1, 0) && drawn(6, 0) && drawn(1, 1) && !drawn(6, 1) && drawn(1, 2) && !drawn(6, 2);
 }
 
 } // namespace legacygl

@@ -53,7 +53,7 @@ void every_level(int width, int height)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     float x = 0.2f;
-    for (int level = 0; width >= 1 || height >= 1; ++level, width /= 2, height /= 2) {
+    for (; width >= 1 || height >= 1; width /= 2, height /= 2) {
         const float w = static_cast<float>(width > 0 ? width : 1) / 10;
         const float h = static_cast<float>(height > 0 ? height : 1) / 10;
         glBegin(GL_TRIANGLE_STRIP);

@@ -23,6 +23,32 @@ cores() {
     nproc 2>/dev/null || echo 2
 }
 
+# Lets one script at a time work in this clone: they share build and node_modules. Others wait, and say so.
+# The turn ends with this script and the programs that it started: a compiler that outlives a killed script is
+# waited for. What might outlive it for long is started with 8>&-.
+take_turn() {
+    # What a script starts works in that script's turn.
+    [[ ${TANKLAB_TURN-} != "$root" ]] || return 0
+    { mkdir -p "$root/build" && [[ -w $root/build ]]; } 2>/dev/null ||
+        stop "the folder $root/build cannot be written: everything goes there; clone to where you may write"
+    exec 8<>"$root/build/turn"
+    if ! flock --nonblock 8; then
+        say "$(<"$root/build/turn") is at work in this folder; waiting until that is done ..."
+        flock 8
+    fi
+    printf 'scripts/%s (process %s)\n' "${0##*/}" "$$" >"$root/build/turn"
+    export TANKLAB_TURN=$root
+    use_writable_home
+}
+
+# npm, emcc and the browsers keep things at home, and fail in their own ways where that cannot be written.
+use_writable_home() {
+    [[ ! -w ${HOME-} ]] || return 0
+    say "(The home folder '${HOME-}' cannot be written; build/home takes its place.)"
+    export npm_config_userconfig=${npm_config_userconfig-${HOME-}/.npmrc} HOME=$root/build/home
+    mkdir -p "$HOME"
+}
+
 # emcc of Debian needs its own acorn from -O2 on, which a Node.js of another origin does not find.
 use_debian_acorn() {
     if [[ -d /usr/share/nodejs/acorn && :${NODE_PATH-}: != *:/usr/share/nodejs:* ]]; then
@@ -35,6 +61,7 @@ use_debian_acorn() {
 build_preset() {
     local preset=$1 folder=$root/build/$2 log
     shift 2
+    take_turn
     use_debian_acorn
     if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
         say "Configuring $preset ..."

@@ -14,15 +14,6 @@ stop() {
     exit 2
 }
 
-# Prints the sha256 of what stands on standard input.
-digest() {
-    sha256sum | cut -c1-64
-}
-
-cores() {
-    nproc 2>/dev/null || echo 2
-}
-
 # Lets one script at a time work in this clone: they share build and node_modules. Others wait, and say so.
 # The turn ends with this script and the programs that it started: a compiler that outlives a killed script is
 # waited for. What might outlive it for long is started with 8>&-.
@@ -49,6 +40,15 @@ use_writable_home() {
     mkdir -p "$HOME"
 }
 
+# Prints the sha256 of what stands on standard input.
+digest() {
+    sha256sum | cut -c1-64
+}
+
+cores() {
+    nproc 2>/dev/null || echo 2
+}
+
 # emcc of Debian needs its own acorn from -O2 on, which a Node.js of another origin does not find.
 use_debian_acorn() {
     if [[ -d /usr/share/nodejs/acorn && :${NODE_PATH-}: != *:/usr/share/nodejs:* ]]; then
@@ -59,9 +59,9 @@ use_debian_acorn() {
 # Configures a preset where that is due, and builds it.
 #   build_preset PRESET FOLDER [arguments of cmake --build]
 build_preset() {
+    take_turn
     local preset=$1 folder=$root/build/$2 log
     shift 2
-    take_turn
     use_debian_acorn
     if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
         say "Configuring $preset ..."

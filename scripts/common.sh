@@ -14,6 +14,32 @@ stop() {
     exit 2
 }
 
+# Lets one script at a time work in this clone: they share build and node_modules. Others wait, and say so.
+# The turn ends with this script and the programs that it started: a compiler that outlives a killed script is
+# waited for. What might outlive it for long is started with 8>&-.
+take_turn() {
+    # What a script starts works in that script's turn.
+    [[ ${TANKLAB_TURN-} != "$root" ]] || return 0
+    { mkdir -p "$root/build" && [[ -w $root/build ]]; } 2>/dev/null ||
+        stop "the folder $root/build cannot be written: everything goes there; clone to where you may write"
+    exec 8<>"$root/build/turn"
+    if ! flock --nonblock 8; then
+        say "$(<"$root/build/turn") is at work in this folder; waiting until that is done ..."
+        flock 8
+    fi
+    printf 'scripts/%s (process %s)\n' "${0##*/}" "$$" >"$root/build/turn"
+    export TANKLAB_TURN=$root
+    use_writable_home
+}
+
+# npm, emcc and the browsers keep things at home, and fail in their own ways where that cannot be written.
+use_writable_home() {
+    [[ ! -w ${HOME-} ]] || return 0
+    say "(The home folder '${HOME-}' cannot be written; build/home takes its place.)"
+    export npm_config_userconfig=${npm_config_userconfig-${HOME-}/.npmrc} HOME=$root/build/home
+    mkdir -p "$HOME"
+}
+
 # Prints the sha256 of what stands on standard input.
 digest() {
     sha256sum | cut -c1-64
@@ -33,6 +59,7 @@ use_debian_acorn() {
 # Configures a preset where that is due, and builds it.
 #   build_preset PRESET FOLDER [arguments of cmake --build]
 build_preset() {
+    take_turn
     local preset=$1 folder=$root/build/$2 log
     shift 2
     use_debian_acorn

@@ -105,7 +105,7 @@ export async function serve(folder, { port = 0, isolated = false } = {}) {
       break;
     } catch (error) {
       const another = error.code === "EADDRINUSE" && port !== 0 && next < Math.min(port + PORTS_TRIED, 65535);
-      if (!another) throw error;
+      if (!another) throw new Error(`port ${next} cannot be had (${error.code}); --port names another one`);
     }
   }
   const actual = server.address().port;

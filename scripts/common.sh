@@ -19,14 +19,28 @@ digest() {
     sha256sum | cut -c1-64
 }
 
+# Waits until no other run holds the lock in a file, and holds it until this one ends; $2 is what the other one does.
+lock() {
+    exec 9>"$1"
+    flock -n 9 || { say "Another run $2; waiting for it to end ..." && flock 9; }
+}
+
 cores() {
     nproc 2>/dev/null || echo 2
 }
 
-# emcc of Debian needs its own acorn from -O2 on, which a Node.js of another origin does not find.
-use_debian_acorn() {
+# Lets emcc find what it needs besides itself; scripts/cmake/emscripten.cmake hands it on to the build.
+use_emscripten() {
+    local cache
+    # That of Debian needs its own acorn from -O2 on, which a Node.js of another origin does not find.
     if [[ -d /usr/share/nodejs/acorn && :${NODE_PATH-}: != *:/usr/share/nodejs:* ]]; then
         export NODE_PATH=${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs
+    fi
+    # One that comes without its system libraries compiles them into its cache, which has to be writable for that.
+    if [[ -z ${EM_CACHE-} && $(em-config FROZEN_CACHE 2>/dev/null) != True ]]; then
+        cache=$(em-config CACHE 2>/dev/null) || return 0
+        mkdir -p "$cache" 2>/dev/null || true
+        [[ -w $cache ]] || export EM_CACHE=$root/build/deps/emscripten-cache
     fi
 }
 
@@ -35,7 +49,7 @@ use_debian_acorn() {
 build_preset() {
     local preset=$1 folder=$root/build/$2 log
     shift 2
-    use_debian_acorn
+    use_emscripten
     if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
         say "Configuring $preset ..."
         mkdir -p "$root/build"

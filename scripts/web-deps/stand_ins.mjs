@@ -1,11 +1,11 @@
-// Writes, as C, a function for each that a link found missing.
+// Writes, as C, a function for each of SDL2's that a link found missing.
 //
-//   node stand_ins.mjs LINKED.wasm LOG >stand_ins.c
+//   node stand_ins.mjs LOG OBJECT.o... >stand_ins.c
 //
-// LOG is what emcc said when it linked with -sERROR_ON_UNDEFINED_SYMBOLS=0: there the missing names stand. LINKED.wasm
-// imports them, each with the type that its callers gave it, so the functions agree with those, whatever they are. One
-// that returns something sets SDL2's error and returns 0, which is no pointer; one that does not, does nothing. What
-// is missing and no function, or not SDL2's, cannot be written: that is an error.
+// LOG is what emcc said when it linked: there the missing names stand. The objects import them, each with the type that
+// its callers gave it, so that the functions agree with those, whatever they are. One that returns something sets SDL2's
+// error and returns 0, which is no pointer; one that does not, does nothing. What is missing and no function, or not
+// SDL2's, cannot be written: that is an error.
 import fs from "node:fs";
 
 const C_TYPES = { 0x7f: "int", 0x7e: "long long", 0x7d: "float", 0x7c: "double" };
@@ -60,15 +60,17 @@ function written(name, { parameters, results }) {
   if (results.length > 1 || [result, ...types].includes(undefined)) throw new Error(`${name} has a type that C has not`);
   const list = types.map((type, i) => `${type} p${i}`).join(", ") || "void";
   const body = result === "void" ? "" : ` SDL_SetError("${name} is not part of the page's SDL2"); return 0; `;
-  return `${result} ${name}(${list}) {${body}}\n`;
+  return `${result} ${name}(${list}) {${body}}`;
 }
 
-const [wasm, log] = process.argv.slice(2);
-const functions = importedFunctions(fs.readFileSync(wasm));
-const missing = [...new Set(Array.from(fs.readFileSync(log, "utf8").matchAll(/undefined symbol: (\w+)/g), ([, name]) => name))].sort();
+const [log, ...objects] = process.argv.slice(2);
+const functions = new Map(objects.flatMap((object) => [...importedFunctions(fs.readFileSync(object))]));
+const found = fs.readFileSync(log, "utf8").matchAll(/undefined symbol: (\w+)/g);
+const missing = [...new Set(Array.from(found, ([, name]) => name))].sort();
 const strangers = missing.filter((name) => !functions.has(name) || !/^(SDL|Emscripten)_/.test(name));
-if (strangers.length > 0) {
-  console.error(`stand_ins: missing, and no function of SDL2's: ${strangers.join(", ")}`);
+if (missing.length === 0 || strangers.length > 0) {
+  console.error(`stand_ins: missing, and no function of SDL2's: ${strangers.join(", ") || "nothing that emcc names"}`);
   process.exit(1);
 }
-process.stdout.write(`int SDL_SetError(const char* format, ...);\n${missing.map((name) => written(name, functions.get(name))).join("")}`);
+console.log("int SDL_SetError(const char* format, ...);");
+for (const name of missing) console.log(written(name, functions.get(name)));

@@ -50,13 +50,16 @@ build_preset() {
     local preset=$1 folder=$root/build/$2 log
     shift 2
     use_emscripten
-    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
-        say "Configuring $preset ..."
-        mkdir -p "$root/build"
-        log=$root/build/configure-$preset.log
-        (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
-    fi
-    say "Building $preset ..."
-    # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.
-    (cd "$root" && NINJA_STATUS='[%f/%t] ' cmake --build "$folder" "$@") </dev/null
+    mkdir -p "$root/build"
+    (
+        lock "$folder.lock" "builds $preset"
+        if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
+            say "Configuring $preset ..."
+            log=$root/build/configure-$preset.log
+            (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
+        fi
+        say "Building $preset ..."
+        # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.
+        (cd "$root" && NINJA_STATUS='[%f/%t] ' cmake --build "$folder" "$@") </dev/null
+    )
 }

@@ -32,6 +32,8 @@ if(tanklab_emcc_environment)
 endif()
 
 set(CMAKE_CXX_FLAGS_INIT "-fno-exceptions")
+# What 3.1.6 gives a program unasked; since 3.1.27 it would be 64 KB, which nobody guards. All know the setting's old name.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-sTOTAL_STACK=5MB")
 foreach(language C CXX)
   set(CMAKE_${language}_STANDARD_INCLUDE_DIRECTORIES "${tanklab_web_dependencies}/include")
 endforeach()

@@ -45,14 +45,28 @@ digest() {
     sha256sum | cut -c1-64
 }
 
+# Waits until no other run holds the lock in a file, and holds it until this one ends; $2 is what the other one does.
+lock() {
+    exec 9>"$1"
+    flock -n 9 || { say "Another run $2; waiting for it to end ..." && flock 9; }
+}
+
 cores() {
     nproc 2>/dev/null || echo 2
 }
 
-# emcc of Debian needs its own acorn from -O2 on, which a Node.js of another origin does not find.
-use_debian_acorn() {
+# Lets emcc find what it needs besides itself; scripts/cmake/emscripten.cmake hands it on to the build.
+use_emscripten() {
+    local cache
+    # That of Debian needs its own acorn from -O2 on, which a Node.js of another origin does not find.
     if [[ -d /usr/share/nodejs/acorn && :${NODE_PATH-}: != *:/usr/share/nodejs:* ]]; then
         export NODE_PATH=${NODE_PATH:+$NODE_PATH:}/usr/share/nodejs
+    fi
+    # One that comes without its system libraries compiles them into its cache, which has to be writable for that.
+    if [[ -z ${EM_CACHE-} && $(em-config FROZEN_CACHE 2>/dev/null) != True ]]; then
+        cache=$(em-config CACHE 2>/dev/null) || return 0
+        mkdir -p "$cache" 2>/dev/null || true
+        [[ -w $cache ]] || export EM_CACHE=$root/build/deps/emscripten-cache
     fi
 }
 
@@ -62,14 +76,17 @@ build_preset() {
     take_turn
     local preset=$1 folder=$root/build/$2 log
     shift 2
-    use_debian_acorn
-    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
-        say "Configuring $preset ..."
-        mkdir -p "$root/build"
-        log=$root/build/configure-$preset.log
-        (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
-    fi
-    say "Building $preset ..."
-    # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.
-    (cd "$root" && NINJA_STATUS='[%f/%t] ' cmake --build "$folder" "$@") </dev/null
+    use_emscripten
+    mkdir -p "$root/build"
+    (
+        lock "$folder.lock" "builds $preset"
+        if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
+            say "Configuring $preset ..."
+            log=$root/build/configure-$preset.log
+            (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
+        fi
+        say "Building $preset ..."
+        # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.
+        (cd "$root" && NINJA_STATUS='[%f/%t] ' cmake --build "$folder" "$@") </dev/null
+    )
 }

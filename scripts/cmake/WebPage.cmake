@@ -10,24 +10,22 @@
 # The program runs its frames by emscripten_request_animation_frame_loop: emscripten_set_main_loop does the
 # same and brings 5 KB of gzipped script along.
 
-set(tanklab_runtime_methods ccall UTF8ToString stringToUTF8 lengthBytesUTF8 callMain)
+include(WebModule)
+set(tanklab_runtime_methods ccall UTF8ToString stringToUTF8 lengthBytesUTF8 callMain HEAPU8)
 set(tanklab_exported_functions _main _malloc _free)
 
 # Applies the link flags of the page to a target. The optimisation is that of the build type.
 function(tanklab_link_for_web target)
-  list(JOIN tanklab_runtime_methods "," methods)
+  tanklab_web_module(${target} ${tanklab_runtime_methods})
   list(JOIN tanklab_exported_functions "," functions)
-  target_link_options(${target} PRIVATE
-    -sMODULARIZE -sEXPORT_ES6 -sEXPORT_NAME=createTanklab -sENVIRONMENT=web
+  target_link_options(${target} PRIVATE ${tanklab_webgl2}
+    -sEXPORT_ES6 -sEXPORT_NAME=createTanklab
     -sFILESYSTEM=0                      # files come through tanklab_add_file
-    -sALLOW_MEMORY_GROWTH               # a user's own tank may be any size
     -sMALLOC=emmalloc                   # 3 KB smaller; a steady frame allocates nothing
-    -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
     -sGL_TRACK_ERRORS=0                 # legacygl keeps the errors that glGetError tells
     -sHTML5_SUPPORT_DEFERRING_USER_SENSITIVE_REQUESTS=0 # the page asks for full screen itself
     -sTEXTDECODER=2                     # every browser with WebGL 2 has one
     -sINCOMING_MODULE_JS_API=canvas,wasmBinary,print,printErr,onAbort,noInitialRun
-    -sEXPORTED_RUNTIME_METHODS=${methods}
     -sEXPORTED_FUNCTIONS=${functions})
 endfunction()
 

@@ -11,16 +11,29 @@ find_program(TANKLAB_EMCC emcc REQUIRED)
 find_program(TANKLAB_NODE NAMES node nodejs REQUIRED)
 set(CMAKE_CROSSCOMPILING_EMULATOR "${TANKLAB_NODE}" CACHE FILEPATH "Runs what is compiled")
 
-# Debian's emcc links with its own acorn from -O2 on; a Node.js that is not Debian's does not look there.
+# What emcc needs besides itself, as use_emscripten of scripts/common.sh has it: Debian's acorn from -O2 on, where a
+# Node.js that is not Debian's does not look, and a cache that it can write.
 if(EXISTS /usr/share/nodejs/acorn)
   set(ENV{NODE_PATH} "$ENV{NODE_PATH}:/usr/share/nodejs")
+  set(tanklab_emcc_environment NODE_PATH=/usr/share/nodejs)
+endif()
+if(DEFINED ENV{EM_CACHE})
+  list(APPEND tanklab_emcc_environment "EM_CACHE=$ENV{EM_CACHE}")
+endif()
+if(tanklab_emcc_environment)
   foreach(language C CXX)
-    set(CMAKE_${language}_LINKER_LAUNCHER "${CMAKE_COMMAND};-E;env;NODE_PATH=/usr/share/nodejs"
-      CACHE STRING "Lets emcc find acorn")
+    set(CMAKE_${language}_LINKER_LAUNCHER "${CMAKE_COMMAND};-E;env;${tanklab_emcc_environment}"
+      CACHE STRING "Gives emcc what it needs")
+    if(DEFINED ENV{EM_CACHE})
+      set(CMAKE_${language}_COMPILER_LAUNCHER "${CMAKE_${language}_LINKER_LAUNCHER}"
+        CACHE STRING "Gives emcc what it needs")
+    endif()
   endforeach()
 endif()
 
 set(CMAKE_CXX_FLAGS_INIT "-fno-exceptions")
+# What 3.1.6 gives a program unasked; since 3.1.27 it would be 64 KB, which nobody guards. All know the setting's old name.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-sTOTAL_STACK=5MB")
 foreach(language C CXX)
   set(CMAKE_${language}_STANDARD_INCLUDE_DIRECTORIES "${tanklab_web_dependencies}/include")
 endforeach()

@@ -80,6 +80,10 @@ std::string WebPage::start(std::string_view fragment)
     draw_now();
     report();
     last_frame_seconds_ = seconds_now();
+    const auto run_frame = [](double, void* page) -> EM_BOOL { // which is int or bool, by Emscripten's version
+        static_cast<WebPage*>(page)->frame();
+        return EM_TRUE; // and again
+    };
     emscripten_request_animation_frame_loop(run_frame, this); // at the display's own rate
     return "";
 }
@@ -107,12 +111,6 @@ std::string WebPage::bring_tank()
         report();
     }
     return app::tank_brought_json(fault, notes);
-}
-
-int WebPage::run_frame(double, void* page)
-{
-    static_cast<WebPage*>(page)->frame();
-    return EM_TRUE; // and again
 }
 
 void WebPage::frame()

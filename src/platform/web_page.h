@@ -52,7 +52,6 @@ public:
     std::uint64_t draw_calls() const { return draw_calls_; }
 
 private:
-    static int run_frame(double now, void* page);
     void frame();
     void draw();
     void report();

@@ -4,9 +4,9 @@ add_executable(oracle_page page_main.cpp drawing.cpp scene.cpp ${scene_sources} 
 target_include_directories(oracle_page PRIVATE . ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(oracle_page PRIVATE legacygl scene)
 file(GLOB_RECURSE asset_files CONFIGURE_DEPENDS ${assets}/*)
-target_link_options(oracle_page PRIVATE
-  -sMODULARIZE -sEXPORT_ES6 -sENVIRONMENT=web -sALLOW_MEMORY_GROWTH -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
-  -sEXPORTED_RUNTIME_METHODS=UTF8ToString --no-entry "SHELL:--preload-file ${assets}@/assets")
+include(WebModule)
+tanklab_web_module(oracle_page UTF8ToString HEAPU8)
+target_link_options(oracle_page PRIVATE ${tanklab_webgl2} -sEXPORT_ES6 --no-entry --preload-file "${assets}@/assets")
 set_target_properties(oracle_page PROPERTIES
   OUTPUT_NAME oracle
   RUNTIME_OUTPUT_DIRECTORY ${site}

@@ -1,5 +1,6 @@
 // legacygl defines every OpenGL name that the page's program uses. Emscripten has functions of its own
-// under 64 of those names, and a link takes them without a word where we lack one: so none is imported.
+// under 64 of those names, and a link takes them without a word where we lack one: so none is imported. It has an SDL 1
+// as well, under many of SDL2's names.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
@@ -9,10 +10,10 @@ const PROGRAM =
   process.env.TANKLAB_NAMED_IMPORTS ??
   fileURLToPath(new URL("../../build/web-build/wasm/tanklab_named_imports.wasm", import.meta.url));
 
-/** Returns the OpenGL and GLU names among what a WebAssembly module imports. */
-function importedOpenGl(bytes) {
+/** Returns the names of OpenGL, GLU and SDL among what a WebAssembly module imports. */
+function importedNames(bytes) {
   const names = WebAssembly.Module.imports(new WebAssembly.Module(bytes)).map(({ name }) => name);
-  return names.filter((name) => /^glu?[A-Z]/.test(name));
+  return names.filter((name) => /^(glu?[A-Z]|SDL_)/.test(name));
 }
 
 /** Returns a WebAssembly module that imports functions of these names from "env", and does nothing else. */
@@ -24,13 +25,13 @@ function moduleImporting(...names) {
   return Uint8Array.from([...header, ...section(1, [1, 0x60, 0, 0]), ...section(2, [names.length, ...imports])]);
 }
 
-test("the check finds OpenGL and GLU names, and no other", () => {
-  assert.deepEqual(importedOpenGl(moduleImporting("glBegin", "emscripten_glClear", "gluSphere", "global", "gl")), ["glBegin", "gluSphere"]);
+test("the check finds names of OpenGL, GLU and SDL, and no other", () => {
+  assert.deepEqual(importedNames(moduleImporting("glBegin", "emscripten_glClear", "gluSphere", "SDL_Init", "global", "gl")), ["glBegin", "gluSphere", "SDL_Init"]);
 });
 
-test("the program imports no OpenGL name, and its import names are whole", () => {
+test("the program imports no name of OpenGL or SDL, and its import names are whole", () => {
   const bytes = fs.readFileSync(PROGRAM);
   const names = WebAssembly.Module.imports(new WebAssembly.Module(bytes)).map(({ name }) => name);
   assert.ok(names.includes("emscripten_glDrawArrays") || names.includes("emscripten_glDrawElements"), `shortened? ${names.join(" ")}`);
-  assert.deepEqual(importedOpenGl(bytes), []);
+  assert.deepEqual(importedNames(bytes), []);
 });

@@ -1,4 +1,4 @@
-/* Appended to SDL's own SDL_config_emscripten.h: the page uses SDL2 for its window, input and time.
+/* Appended by build-sdl to SDL's own SDL_config_emscripten.h: the page uses SDL2 for its window, input and time.
    The GL context is made by Emscripten itself; SDL's would add some 330 KB of WebAssembly and 135 KB
    of script, since it looks functions up by name and so keeps all of them. */
 #undef SDL_VIDEO_OPENGL_ES2

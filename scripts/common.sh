@@ -45,12 +45,6 @@ digest() {
     sha256sum | cut -c1-64
 }
 
-# Waits until no other run holds the lock in a file, and holds it until this one ends; $2 is what the other one does.
-lock() {
-    exec 9>"$1"
-    flock -n 9 || { say "Another run $2; waiting for it to end ..." && flock 9; }
-}
-
 cores() {
     nproc 2>/dev/null || echo 2
 }
@@ -77,16 +71,12 @@ build_preset() {
     local preset=$1 folder=$root/build/$2 log
     shift 2
     use_emscripten
-    mkdir -p "$root/build"
-    (
-        lock "$folder.lock" "builds $preset"
-        if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
-            say "Configuring $preset ..."
-            log=$root/build/configure-$preset.log
-            (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
-        fi
-        say "Building $preset ..."
-        # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.
-        (cd "$root" && NINJA_STATUS='[%f/%t] ' cmake --build "$folder" "$@") </dev/null
-    )
+    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
+        say "Configuring $preset ..."
+        log=$root/build/configure-$preset.log
+        (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
+    fi
+    say "Building $preset ..."
+    # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.
+    (cd "$root" && NINJA_STATUS='[%f/%t] ' cmake --build "$folder" "$@") </dev/null
 }

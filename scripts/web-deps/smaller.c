@@ -1,5 +1,6 @@
-/* Functions of Emscripten's that SDL2 calls, and with each of which comes all of Emscripten's main loop, full screen
-   and image code. build-sdl renames them in SDL2 and here alike, so that the compiler holds these to their types. */
+/* Functions of Emscripten's that SDL2 calls, and with each of which comes all of Emscripten's main loop, full
+   screen and image code. build-sdl renames them in SDL2 and here alike, so that the compiler holds these to
+   their types. */
 #include <emscripten.h>
 #include <emscripten/html5.h>
 

@@ -1,6 +1,6 @@
-/* Appended by build-sdl to SDL's own SDL_config_emscripten.h: the page uses SDL2 for its window, input and time.
-   The GL context is made by Emscripten itself; SDL's would add some 330 KB of WebAssembly and 135 KB
-   of script, since it looks functions up by name and so keeps all of them. */
+/* Appended by build-sdl to SDL's own SDL_config_emscripten.h: the page uses SDL2 for its window, input and
+   time. The GL context is made by Emscripten itself; SDL's would add some 330 KB of WebAssembly and 135 KB of
+   script, since it looks functions up by name and so keeps all of them. */
 #undef SDL_VIDEO_OPENGL_ES2
 #undef SDL_VIDEO_OPENGL_EGL
 #undef SDL_VIDEO_RENDER_OGL_ES2

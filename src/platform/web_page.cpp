@@ -80,7 +80,8 @@ std::string WebPage::start(std::string_view fragment)
     draw_now();
     report();
     last_frame_seconds_ = seconds_now();
-    const auto run_frame = [](double, void* page) -> EM_BOOL { // which is int or bool, by Emscripten's version
+    const auto run_frame = [](double,
+                              void* page) -> EM_BOOL { // which is int or bool, by Emscripten's version
         static_cast<WebPage*>(page)->frame();
         return EM_TRUE; // and again
     };

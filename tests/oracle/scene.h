@@ -19,6 +19,12 @@ struct Exception
     int told = 0; ///< How far whole numbers that the scene tells may be off.
 };
 
+/// Why some pixels differ on Mesa 26: where a line and its face, or two surfaces, are equally far away, or a
+/// pixel's centre is on an edge of a triangle or texel, the last bit decides what it shows.
+constexpr const char* LAST_BIT_DECIDES = "OpenGL 1.5, 2.1.1, asks of computing to be right to about 1 part "
+                                         "in 10^5. This Mesa fuses the products and sums "
+                                         "of the fixed transform, which a shader of ES 3.0 cannot.";
+
 /// The size of a picture in pixels.
 struct Size
 {

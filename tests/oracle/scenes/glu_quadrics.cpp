@@ -144,7 +144,7 @@ SCENE(glu_disk_fill)
 {
     grid(disk, GLU_FILL);
 }
-SCENE(glu_disk_line)
+SCENE(glu_disk_line, {4, LAST_BIT_DECIDES, {26}})
 {
     grid(disk, GLU_LINE);
 }

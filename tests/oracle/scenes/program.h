@@ -13,6 +13,6 @@ constexpr Size PROGRAM_SIZE = {640, 400};
 void draw_link(const std::string& link);
 
 /// Adds a scene that draws a link.
-void add_link(const std::string& name, const std::string& link, const Exception& exception = {});
+void add_link(const std::string& name, const std::string& link);
 
 } // namespace oracle

@@ -70,6 +70,29 @@ function executable(fromEnvironment, names) {
   throw new Error(`none of these browsers is there: ${names.join(", ")}; scripts/setup test installs one`);
 }
 
+/** The oldest versions that puppeteer-core drives: Chromium's headless mode of today, WebDriver BiDi in Firefox. */
+const OLDEST = { chromium: 112, firefox: 129 };
+
+/** Says which browser cannot be driven, and why, where `program --version` tells of one that is too old. Gives what
+    it tells. */
+export function checkVersion(kind, program) {
+  const told = spawnSync(program, ["--version"], { encoding: "utf8" }).stdout?.trim() ?? "";
+  const major = Number(/(\d+)\.\d/.exec(told)?.[1]);
+  if (major < OLDEST[kind])
+    throw new Error(`${told} (${program}) is too old: the tests drive ${kind} ${OLDEST[kind]} and newer; name one in CHROME or FIREFOX`);
+  return told;
+}
+
+/** Launches a browser, and where it does not start says which one it was. */
+async function start(kind, program, options) {
+  const told = checkVersion(kind, program);
+  try {
+    return await puppeteer.launch({ executablePath: program, defaultViewport: VIEWPORT, timeout: LAUNCH_TIMEOUT, ...options });
+  } catch (error) {
+    throw new Error(`${told} (${program}) does not start for puppeteer-core; one that is newer may want a newer puppeteer-core: ${error.message}`, { cause: error });
+  }
+}
+
 /** Starts an X display that nobody sees. Gives { name, stop() }. */
 async function startDisplay() {
   const server = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"], {
@@ -86,13 +109,8 @@ async function startDisplay() {
 export async function launch(name, { flags = [] } = {}) {
   if (name !== "firefox") {
     assert.ok(name in CHROMIUM_RENDERER, `no browser is called ${name}`);
-    return puppeteer.launch({
-      executablePath: executable(process.env.CHROME, ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]),
-      headless: true,
-      args: [...CHROMIUM_FLAGS, ...CHROMIUM_RENDERER[name], ...flags],
-      defaultViewport: VIEWPORT,
-      timeout: LAUNCH_TIMEOUT,
-    });
+    const program = executable(process.env.CHROME, ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]);
+    return start("chromium", program, { headless: true, args: [...CHROMIUM_FLAGS, ...CHROMIUM_RENDERER[name], ...flags] });
   }
   const display = await startDisplay();
   // Firefox wants a home of its own: as root it refuses one that belongs to somebody else.
@@ -102,13 +120,10 @@ export async function launch(name, { flags = [] } = {}) {
     fs.rmSync(home, { recursive: true, force: true, maxRetries: 5 });
   };
   try {
-    const browser = await puppeteer.launch({
+    const browser = await start("firefox", executable(process.env.FIREFOX, ["firefox", "firefox-esr"]), {
       browser: "firefox",
-      executablePath: executable(process.env.FIREFOX, ["firefox", "firefox-esr"]),
       headless: false,
       extraPrefsFirefox: FIREFOX_PREFERENCES,
-      defaultViewport: VIEWPORT,
-      timeout: LAUNCH_TIMEOUT,
       env: { ...process.env, DISPLAY: display.name, HOME: home, MOZ_CRASHREPORTER_DISABLE: "1" },
     });
     browser.process().once("exit", cleanUp);

@@ -5,7 +5,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { BROWSERS, differentPixels, pixelAt, pixels, printRenderer, withPage } from "./harness.mjs";
+import { BROWSERS, checkVersion, differentPixels, pixelAt, pixels, printRenderer, withPage } from "./harness.mjs";
 
 const RENDERERS = { chromium: /SwiftShader/i, "chromium-mesa": /llvmpipe|Mesa/i, firefox: /llvmpipe|Mesa/i };
 
@@ -43,6 +43,15 @@ for (const browser of BROWSERS) {
     });
   });
 }
+
+test("a browser that is too old is named, with the version that is wanted; others are let through", () => {
+  const program = path.join(folder, "firefox");
+  for (const [told, tooOld] of [["Mozilla Firefox 115.9.1esr", true], ["Mozilla Firefox 153.5.1esr", false], ["of no version", false]]) {
+    fs.writeFileSync(program, `#!/bin/sh\necho '${told}'\n`, { mode: 0o755 });
+    if (tooOld) assert.throws(() => checkVersion("firefox", program), /Firefox 115\.9.* is too old: .*firefox 129 and newer/);
+    else assert.equal(checkVersion("firefox", program), told);
+  }
+});
 
 test("what goes wrong in a page is gathered", async () => {
   await withPage("chromium", { folder, path: "broken.html" }, async ({ problems }) => {

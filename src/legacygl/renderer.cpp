@@ -264,16 +264,30 @@ bool Renderer::viewport_holds_target(const State& state) const
            v[1] + v[3] >= backend_.target_height;
 }
 
+/// Returns whether ES would draw less of the lines of a batch than OpenGL does: where they reach beyond the
+/// viewport, or where it does not cut those that leave the view.
+bool Renderer::loses_lines(const State& state, const VertexBatch& batch, bool beyond_viewport)
+{
+    if (!beyond_viewport && backend_.clips_lines())
+        return false;
+    const Outcodes outcodes(state.transform, batch);
+    const std::array<GLint, 4>& v = state.transform.viewport;
+    if (beyond_viewport && outcodes.any_along_a_side({v[2], v[3]}))
+        return true;
+    return !backend_.clips_lines() && outcodes.any(0, batch.vertex_count, ClipVolume::SIDES);
+}
+
 /// Returns what ES cannot do itself for some of the primitives; nothing when it can do all. batch: the
 /// vertices that the traits are of.
 std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchTraits& traits,
                                                 const VertexBatch& batch)
 {
     const RasterState& raster = state.raster;
-    const bool wide = std::floor(raster.line_width + 0.5f) > backend_.maximum_line_width;
+    const float line_width = std::floor(raster.line_width + 0.5f);
     const bool beyond_viewport = !viewport_holds_target(state);
-    const RasterWork work{raster.unfilled() || raster.offsets_in_pipeline(), wide, raster.line_smooth,
-                          raster.point_smooth, beyond_viewport};
+    const RasterWork work{raster.unfilled() || raster.offsets_in_pipeline(),
+                          line_width > backend_.maximum_line_width, raster.line_smooth, raster.point_smooth,
+                          beyond_viewport};
     const bool own_materials = state.lighting.enabled && traits.changes_materials;
     const bool all =
         state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
@@ -283,15 +297,14 @@ std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchT
     std::uint32_t needed = all ? ~0u : 0;
     if (work.smooth_points || raster.point_parameters.attenuates() || beyond_viewport)
         needed |= POINTS;
-    if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples() || beyond_viewport)
+    if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples() ||
+        (beyond_viewport && line_width > 1))
         needed |= LINES;
     if (work.unfilled)
         needed |= ~(POINTS | LINES);
-    if (traits.modes & needed)
-        return work;
-    const bool unclipped = (traits.modes & LINES) && !backend_.clips_lines() &&
-                           Outcodes(state.transform, batch).any(0, batch.vertex_count, ClipVolume::SIDES);
-    return unclipped ? std::optional(work) : std::nullopt;
+    const bool does =
+        (traits.modes & needed) || ((traits.modes & LINES) && loses_lines(state, batch, beyond_viewport));
+    return does ? std::optional(work) : std::nullopt;
 }
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list)

@@ -52,6 +52,7 @@ private:
     const DrawState& prepare(const State& state, const ShaderKey& key);
     std::optional<RasterWork> raster_work(const State& state, const BatchTraits& traits,
                                           const VertexBatch& batch);
+    bool loses_lines(const State& state, const VertexBatch& batch, bool beyond_viewport);
     bool viewport_holds_target(const State& state) const;
     void draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
                     std::uint32_t varying);

@@ -263,6 +263,19 @@ TEST_F(Raster, LinesThatLeaveTheViewAreCutWhereEsDoesNotCutThem)
     EXPECT_EQ(drawn(PrimitiveClass::lines), 6u);
 }
 
+TEST_F(Raster, ThinLinesWithinASmallViewportStayWithTheGpu)
+{
+    glViewport(8, 8, 16, 16);
+    glBegin(GL_LINES);
+    glVertex2f(-1, -0.5f); // From side to side, and none along a side.
+    glVertex2f(1, 0.5f);
+    glVertex2f(0.25f, -1);
+    glVertex2f(0.25f, 1);
+    glEnd();
+    context->flush_vertices();
+    EXPECT_EQ(backend->draws().back().pipeline.viewport[2], 16);
+}
+
 TEST_F(Raster, LinesReachBeyondAViewportThatIsSmallerThanTheTarget)
 {
     glViewport(8, 8, 16, 16);

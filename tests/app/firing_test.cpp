@@ -1,6 +1,6 @@
 #include "app/firing.h"
 
-#include "allocations.h"
+#include "allocation_count/allocation_count.h"
 #include "app/simulation.h"
 #include "app/tasks.h"
 #include "app/update.h"
@@ -302,16 +302,16 @@ TEST(FiringTest, AStepAllocatesNothingWhileShotSparksAndParticlesAreUnderWay)
     simulation.apply("fire", 1.0);
     steps(simulation, 1);
     ASSERT_TRUE(simulation.state().shot.flies);
-    const std::uint64_t before = allocations();
+    const std::size_t before = allocation_count();
     steps(simulation, 100);
     simulation.frame();
-    EXPECT_EQ(allocations(), before);
+    EXPECT_EQ(allocation_count(), before);
     open(simulation, "");
     simulation.apply("turret_left", 1.0); // spheres follow
     steps(simulation, 1);
-    const std::uint64_t turning = allocations();
+    const std::size_t turning = allocation_count();
     steps(simulation, 100);
-    EXPECT_EQ(allocations(), turning);
+    EXPECT_EQ(allocation_count(), turning);
 }
 
 TEST(FiringTest, DigitsOpenEveryTaskAndFigure)

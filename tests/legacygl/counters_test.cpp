@@ -1,37 +1,5 @@
+#include "allocation_count/allocation_count.h"
 #include "recorded_gl.h"
-
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-std::size_t allocations = 0;
-
-} // namespace
-
-void* operator new(std::size_t size)
-{
-    ++allocations;
-    if (void* memory = std::malloc(size == 0 ? 1 : size))
-        return memory;
-    std::abort();
-}
-
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept
-{
-    ++allocations;
-    return std::malloc(size == 0 ? 1 : size);
-}
-
-void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace {
 
@@ -111,11 +79,11 @@ TEST(SteadyFrame, AllocatesNothingAndCompilesNoShader)
     glEndList();
     frame(list);
     frame(list);
-    const std::size_t before = allocations;
+    const std::size_t before = allocation_count();
     const std::uint32_t programs = backend->programs, geometries = backend->geometries;
     backend->draws = 0;
     frame(list);
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(allocation_count(), before);
     EXPECT_EQ(backend->programs, programs);
     EXPECT_EQ(backend->geometries, geometries);
     EXPECT_EQ(backend->draws, 22) << "One a list call; of the triangles of the same state one for the first, "

@@ -1,4 +1,4 @@
-#include "allocation_count.h"
+#include "allocation_count/allocation_count.h"
 #include "scene_renderer_fixture.h"
 #include "tank/part_matrices.h"
 

@@ -202,9 +202,9 @@ Nearest nearest_target(const Sample& sample, const std::vector<Target>& targets)
         }
         const double turned = FAR_AS_A_RIGHT_ANGLE * (1.0 - cosine);
         const glm::vec3 from_centre = sample.position - target.centre;
-        const double at_least = std::max(std::abs(glm::dot(from_centre, target.normal)),
-                                         glm::length(from_centre) - target.radius);
-        if (at_least + turned >= best) {
+        const float at_least = std::max(std::abs(glm::dot(from_centre, target.normal)),
+                                        glm::length(from_centre) - target.radius);
+        if (static_cast<double>(at_least) + turned >= best) {
             continue;
         }
         const glm::dvec3 position(sample.position);
@@ -259,7 +259,7 @@ std::vector<FacePaint> paint_of(const mesh::ObjMesh& low, const mesh::ObjMesh& h
     for (const Sample& sample : samples) {
         whole.add(sample);
         if (const Nearest nearest = nearest_target(sample, targets); nearest.face < targets.size()) {
-            const double weight = sample.area * weight_of(sample, nearest.distance);
+            const auto weight = static_cast<double>(sample.area * weight_of(sample, nearest.distance));
             fits[nearest.face].add(sample.colour, parts_at(targets[nearest.face], nearest.place), weight);
         }
     }

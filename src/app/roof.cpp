@@ -26,8 +26,8 @@ std::optional<double> height_at(const glm::dvec3& a, const glm::dvec3& b, const 
 tank::TurretRoof roof_of(const mesh::ObjMesh& turret)
 {
     return [&turret](float x, float z) {
-        const double place_x = x;
-        const double place_z = z;
+        const double place_x = static_cast<double>(x);
+        const double place_z = static_cast<double>(z);
         std::optional<float> highest;
         for (const mesh::Face& face : turret.faces) {
             const auto corner = [&](std::size_t i) {

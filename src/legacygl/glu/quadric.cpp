@@ -11,7 +11,8 @@ namespace legacygl::glu {
 AngleTable::AngleTable(int count, double span, double factor, double shift, float start)
 {
     for (int i = 0; i <= count; ++i) {
-        const double angle = static_cast<float>(static_cast<double>(start) + span * (i - shift) / count);
+        const auto in_float = static_cast<float>(static_cast<double>(start) + span * (i - shift) / count);
+        const auto angle = static_cast<double>(in_float);
         sine[i] = static_cast<float>(factor * std::sin(angle));
         cosine[i] = static_cast<float>(factor * std::cos(angle));
     }

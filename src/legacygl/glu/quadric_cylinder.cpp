@@ -17,8 +17,8 @@ public:
              int stacks)
         : quadric_(quadric), base_(base), narrowing_(narrowing), height_(height), slices_(slices),
           stacks_(stacks), around_(full_turn(slices)),
-          normals_(full_turn(slices, normal_factor(quadric, height, length))),
-          face_normals_(full_turn(slices, normal_factor(quadric, height, length), 0.5)),
+          normals_(full_turn(slices, static_cast<double>(normal_factor(quadric, height, length)))),
+          face_normals_(full_turn(slices, static_cast<double>(normal_factor(quadric, height, length)), 0.5)),
           normal_z_(narrowing / length)
     {}
 

@@ -1,4 +1,4 @@
-// The names of the four views that share the picture, in the places where src/app/frame.cpp puts them.
+// The names of the four views that share the picture, in the places where src/app/view/frame.cpp puts them.
 
 /** Shows the names while there are four, and keeps the picture beside the panels then. */
 export function namePanes(program) {

@@ -23,7 +23,7 @@ WIDTH, HEIGHT = 1280, 800
 
 
 def shipped_threshold():
-    text = (ROOT / "src/app/fields.cpp").read_text()
+    text = (ROOT / "src/app/state/fields.cpp").read_text()
     return int(re.search(r"DEFAULT_THRESHOLD = ([\d']+)", text)[1].replace("'", "")) / 1000
 
 

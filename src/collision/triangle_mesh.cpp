@@ -22,19 +22,6 @@ std::optional<NearestTriangle> nearest_triangle(const glm::dvec3& p, std::span<c
     return nearest;
 }
 
-std::optional<FirstHit> first_triangle_hit(const glm::dvec3& a, const glm::dvec3& b,
-                                           std::span<const Triangle> triangles)
-{
-    std::optional<FirstHit> first;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const std::optional<SegmentHit> hit = intersect_segment_triangle(a, b, triangles[i]);
-        if (hit && (!first || hit->parameter < first->hit.parameter)) {
-            first = {i, *hit};
-        }
-    }
-    return first;
-}
-
 double winding_number(const glm::dvec3& p, std::span<const Triangle> triangles)
 {
     double half_angles = 0.0;

@@ -20,17 +20,6 @@ struct NearestTriangle
 /// Returns the point of the mesh's surface closest to p; nothing for no triangles or a p that is not finite.
 std::optional<NearestTriangle> nearest_triangle(const glm::dvec3& p, std::span<const Triangle> triangles);
 
-/// Holds where a segment first meets a mesh.
-struct FirstHit
-{
-    std::size_t triangle;
-    SegmentHit hit;
-};
-
-/// Returns where the segment from a to b first meets the mesh, from either side; or nothing.
-std::optional<FirstHit> first_triangle_hit(const glm::dvec3& a, const glm::dvec3& b,
-                                           std::span<const Triangle> triangles);
-
 /// Returns how often the mesh winds around p, anticlockwise being outside: 1 inside a closed mesh and 0
 /// outside, 2 where two shells overlap, something between where the mesh has a hole; -1 inside a mesh turned
 /// inside out. On the surface itself it is anything between. Not-a-number for a p that is not finite.

@@ -25,17 +25,4 @@ bool LevelSelector::update(double distance, const SwitchBand& band)
     return level != before;
 }
 
-Level LevelSelector::shown(Forced forced) const
-{
-    switch (forced) {
-    case Forced::none:
-        return level;
-    case Forced::high:
-        return Level::high;
-    case Forced::low:
-        return Level::low;
-    }
-    return level;
-}
-
 } // namespace lod

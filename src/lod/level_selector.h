@@ -1,25 +1,9 @@
 #pragma once
 
+#include "lod/level.h"
 #include "lod/threshold.h"
 
-#include <cstdint>
-
 namespace lod {
-
-/// Names the two models of the tank.
-enum class Level : std::uint8_t
-{
-    high,
-    low,
-};
-
-/// Says whether somebody has asked for one level whatever the distance.
-enum class Forced : std::uint8_t
-{
-    none,
-    high,
-    low,
-};
 
 /// Returns the level for a distance, in metres from the eye, when there is no level yet: low beyond the
 /// threshold, high at it, inside it, and for not-a-number.
@@ -34,7 +18,7 @@ Level next_level(Level current, double distance, const SwitchBand& band);
 /// a tank that came from afar is still low, one opened there by a link is high.
 struct LevelSelector
 {
-    Level level = Level::high; ///< by distance, also while another is forced
+    Level level = Level::high; ///< by distance
 
     /// Forgets what was before, as when a link is opened.
     void start(double distance, double threshold) { level = level_at(distance, threshold); }
@@ -42,10 +26,6 @@ struct LevelSelector
     /// Takes in the distance, in metres from the eye; call it once a step. Returns whether the level
     /// switched.
     bool update(double distance, const SwitchBand& band);
-
-    /// Returns the level to draw: the forced one or, by distance, the remembered one. Forcing forgets
-    /// nothing.
-    Level shown(Forced forced) const;
 
     friend bool operator==(const LevelSelector&, const LevelSelector&) = default;
 };

@@ -5,37 +5,6 @@
 
 namespace lod {
 
-ThresholdResult threshold_from(std::span<const DistanceSample> samples, const ShowingCriterion& criterion)
-{
-    std::optional<double> nearest;
-    std::optional<double> last_shown;
-    for (const DistanceSample& sample : samples) {
-        if (!std::isfinite(sample.distance)) {
-            continue;
-        }
-        nearest = std::min(nearest.value_or(sample.distance), sample.distance);
-        if (shows(sample.difference, criterion)) {
-            last_shown = std::max(last_shown.value_or(sample.distance), sample.distance);
-        }
-    }
-    if (!nearest) {
-        return {ThresholdOutcome::not_measured, 0.0};
-    }
-    if (!last_shown) {
-        return {ThresholdOutcome::shows_nowhere, *nearest};
-    }
-    std::optional<double> first_hidden;
-    for (const DistanceSample& sample : samples) {
-        if (std::isfinite(sample.distance) && sample.distance > *last_shown) {
-            first_hidden = std::min(first_hidden.value_or(sample.distance), sample.distance);
-        }
-    }
-    if (!first_hidden) {
-        return {ThresholdOutcome::shows_everywhere, 0.0};
-    }
-    return {ThresholdOutcome::found, *first_hidden};
-}
-
 ThresholdSearch::ThresholdSearch(const SearchRange& range, const ShowingCriterion& criterion)
     : range_(range), criterion_(criterion), asked_(range.furthest)
 {}

@@ -15,7 +15,6 @@ enum class ThresholdOutcome : std::uint8_t
     found,
     shows_everywhere, ///< even at the furthest distance: look further away
     shows_nowhere,    ///< not even at the nearest: that is the threshold
-    not_measured,     ///< there was nothing to judge by
 };
 
 /// Holds a threshold distance d, in metres, where there is one.
@@ -26,19 +25,6 @@ struct ThresholdResult
 
     friend bool operator==(const ThresholdResult&, const ThresholdResult&) = default;
 };
-
-/// Holds what was measured at one distance, metres.
-struct DistanceSample
-{
-    double distance;
-    PictureDifference difference;
-};
-
-/// Returns the threshold distance that samples show: the smallest of their distances beyond which no
-/// difference shows in any of them. The furthest sample with a difference decides, whatever is nearer: with
-/// the distance, pixels differ more and less, and a tank that changes once more further away is not yet far
-/// enough. Any order; samples whose distance is not finite are left out.
-ThresholdResult threshold_from(std::span<const DistanceSample> samples, const ShowingCriterion& criterion);
 
 /// Says where to search, metres. Precondition: 0 < nearest <= furthest, ratio > 1, resolution > 0, all
 /// finite.

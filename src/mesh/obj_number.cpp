@@ -1,6 +1,6 @@
 #include "mesh/obj_number.h"
 
-#include "mesh/quoted.h"
+#include "base/quoted.h"
 
 #include <algorithm>
 #include <array>
@@ -64,18 +64,18 @@ Cause malformed_number(std::string_view word)
 {
     const std::string_view unsigned_word = word.substr(sign_length(word, 0));
     if (is_letters(unsigned_word.substr(0, 3), "nan") || is_letters(unsigned_word.substr(0, 3), "inf"))
-        return quoted(word) +
+        return base::quoted(word) +
                " is not a number a model can have; export it again from a model without errors";
     if (std::count(word.begin(), word.end(), ',') > 0)
-        return quoted(word) + " is not a number; decimals are written with a point, not with a comma";
-    return quoted(word) + " is not a number";
+        return base::quoted(word) + " is not a number; decimals are written with a point, not with a comma";
+    return base::quoted(word) + " is not a number";
 }
 
 /// Checks the whole of `word` against [sign] (digits [. digits] | . digits) [(e | E) [sign] digits].
 Cause check_number(std::string_view word)
 {
     if (word.size() > longest_word)
-        return quoted(word) + " is too long for a number";
+        return base::quoted(word) + " is too long for a number";
     std::size_t at = mantissa_length(word);
     if (at == 0)
         return malformed_number(word);
@@ -91,7 +91,7 @@ Cause check_number(std::string_view word)
     for (; at < word.size() && exponent <= largest_exponent; ++at)
         exponent = exponent * 10 + (word[at] - '0');
     if (exponent > largest_exponent)
-        return quoted(word) + " has an exponent outside the range of numbers";
+        return base::quoted(word) + " has an exponent outside the range of numbers";
     return {};
 }
 
@@ -101,13 +101,13 @@ Cause check_index(std::string_view index, std::string_view word)
     std::size_t at = sign_length(index, 0);
     const std::size_t digits = count_digits(index, at);
     if (digits == 0 || at + digits != index.size())
-        return quoted(word) + " is not a corner of a face; it should look like 1, 1/2, 1//3 or 1/2/3";
+        return base::quoted(word) + " is not a corner of a face; it should look like 1, 1/2, 1//3 or 1/2/3";
     while (at < index.size() && index[at] == '0')
         ++at;
     if (at == index.size())
-        return quoted(word) + " has an index 0; indices count from 1, or backwards from -1";
+        return base::quoted(word) + " has an index 0; indices count from 1, or backwards from -1";
     if (index.size() - at > most_index_digits)
-        return quoted(word) + " has an index that is out of range";
+        return base::quoted(word) + " has an index that is out of range";
     return {};
 }
 
@@ -115,7 +115,7 @@ Cause check_index(std::string_view index, std::string_view word)
 Cause check_corner(std::string_view word)
 {
     if (word.size() > longest_word)
-        return quoted(word) + " is too long for a corner of a face";
+        return base::quoted(word) + " is too long for a corner of a face";
     std::size_t begin = 0;
     for (int slot = 0;; ++slot) {
         const std::size_t end = std::min(word.find('/', begin), word.size());
@@ -126,7 +126,8 @@ Cause check_corner(std::string_view word)
         if (end == word.size())
             return {};
         if (slot == 2)
-            return quoted(word) + " has more than three indices; it should look like 1, 1/2, 1//3 or 1/2/3";
+            return base::quoted(word) +
+                   " has more than three indices; it should look like 1, 1/2, 1//3 or 1/2/3";
         begin = end + 1;
     }
 }
@@ -141,7 +142,7 @@ Cause read_number(std::string_view word, float& value)
     if (!tinyobj::tryParseDouble(word.data(), word.data() + word.size(), &parsed))
         return malformed_number(word); // it accepts all that check_number does; a newer version may not
     if (!(std::fabs(parsed) <= double(std::numeric_limits<float>::max())))
-        return quoted(word) + " is outside the range of numbers a model can have";
+        return base::quoted(word) + " is outside the range of numbers a model can have";
     value = static_cast<float>(parsed);
     return {};
 }

@@ -1,10 +1,10 @@
 #include "mesh/obj_reader.h"
 
+#include "base/quoted.h"
 #include "mesh/normals.h"
 #include "mesh/obj_number.h"
 #include "mesh/obj_statements.h"
 #include "mesh/polygon.h"
-#include "mesh/quoted.h"
 
 #include <array>
 #include <utility>
@@ -134,7 +134,7 @@ private:
             first = written;
         else if (!written.has_form_of(first))
             return "a face must be written the same way at all its corners (v, v/vt, v//vn or v/vt/vn); " +
-                   quoted(word) + " differs from the corners before it";
+                   base::quoted(word) + " differs from the corners before it";
         FaceVertex vertex;
         Cause cause = resolve_index(written.position, mesh_.positions.size(), "vertex", vertex.position);
         if (cause.empty() && written.texture_coordinate != 0)
@@ -218,13 +218,13 @@ private:
 
 } // namespace
 
-Result<ObjMesh> read_obj(std::string_view file_name, std::string_view text)
+base::Result<ObjMesh> read_obj(std::string_view file_name, std::string_view text)
 {
     if (TextFault fault = check_obj_text(text); !fault.cause.empty())
-        return ReadError{std::string(file_name), fault.line, std::move(fault.cause)};
+        return base::ReadError{std::string(file_name), fault.line, std::move(fault.cause)};
     Builder builder(text);
     if (TextFault fault = builder.read(); !fault.cause.empty())
-        return ReadError{std::string(file_name), fault.line, std::move(fault.cause)};
+        return base::ReadError{std::string(file_name), fault.line, std::move(fault.cause)};
     return std::move(builder).finish();
 }
 

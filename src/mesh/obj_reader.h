@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/result.h"
 #include "mesh/obj_mesh.h"
-#include "mesh/result.h"
 
 #include <cstddef>
 #include <string_view>
@@ -42,6 +42,6 @@ inline constexpr long long max_polygon_steps = 1LL << 26;
 /// only. Errors (line, cause): no text, not a text, too long, no faces, too few or too many or malformed
 /// numbers, a number outside float's range, an index that names nothing, a face of fewer than three vertices
 /// or of mixed forms, too many triangles, outlines too intricate to be cut.
-Result<ObjMesh> read_obj(std::string_view file_name, std::string_view text);
+base::Result<ObjMesh> read_obj(std::string_view file_name, std::string_view text);
 
 } // namespace mesh

@@ -1,14 +1,14 @@
 #include "scene/scene_renderer.h"
 
-#include "scene/draw_tank.h"
-#include "scene/lights.h"
-#include "scene/markers.h"
-#include "scene/materials.h"
-#include "scene/reticle.h"
-#include "scene/scoped_state.h"
-#include "scene/shadow.h"
-#include "scene/spheres.h"
-#include "scene/texture.h"
+#include "scene/drawing/lights.h"
+#include "scene/drawing/materials.h"
+#include "scene/drawing/scoped_state.h"
+#include "scene/drawing/texture.h"
+#include "scene/markers/markers.h"
+#include "scene/markers/reticle.h"
+#include "scene/markers/spheres.h"
+#include "scene/surroundings/shadow.h"
+#include "scene/tank/draw_tank.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ std::string refusal(GLenum error)
 
 } // namespace
 
-std::string SceneRenderer::load(const app::Assets& assets)
+std::string SceneRenderer::load(const assets::Assets& assets)
 {
     set_up_state();
     if (std::string fault = load_tank(assets); !fault.empty()) {
@@ -116,7 +116,7 @@ std::string SceneRenderer::load(const app::Assets& assets)
     return loaded && error == GL_NO_ERROR ? "" : refusal(error);
 }
 
-std::string SceneRenderer::load_tank(const app::Assets& assets)
+std::string SceneRenderer::load_tank(const assets::Assets& assets)
 {
     assets_ = &assets;
     if (texture_ != 0) {
@@ -185,7 +185,7 @@ void SceneRenderer::draw_tanks(const app::Frame& frame) const
     for (const app::TankInFrame& tank : frame.used_tanks()) {
         const TankDrawing drawing(tank_lists_, assets_->layout_of(tank.level), tank.joints, frame.parts);
         const glm::vec3 position(tank.position);
-        if (tank.level == app::Level::low && assets_->has_low_model) {
+        if (tank.level == lod::Level::low && assets_->has_low_model) {
             drawing.draw_tank_low(position.x, position.y, position.z);
         } else {
             drawing.draw_tank(position.x, position.y, position.z);

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/assets.h"
-#include "app/frame.h"
-#include "scene/particle_drawing.h"
-#include "scene/shapes.h"
-#include "scene/surroundings.h"
-#include "scene/tank_lists.h"
+#include "app/view/frame.h"
+#include "assets/assets.h"
+#include "scene/drawing/shapes.h"
+#include "scene/particles/particle_drawing.h"
+#include "scene/surroundings/surroundings.h"
+#include "scene/tank/tank_lists.h"
 
 #include <string>
 
@@ -19,19 +19,19 @@ public:
     /// Compiles the display lists, uploads the texture and sets what stays the same for every frame.
     /// assets: must outlive this renderer. Call it once.
     /// Returns "" or a sentence that says what OpenGL refused.
-    std::string load(const app::Assets& assets);
+    std::string load(const assets::Assets& assets);
 
     /// Puts another tank in the place of the one before, and deletes what that had. `assets` must outlive
     /// this renderer, or the next call of this. Returns "" or a sentence that says what OpenGL refused; call
     /// it again then, with what it takes.
-    std::string load_tank(const app::Assets& assets);
+    std::string load_tank(const assets::Assets& assets);
 
     /// Draws a frame into a window of width x height pixels, both at least 1.
     /// Allocates nothing and compiles no list. Precondition: load() returned "".
     void draw(const app::Frame& frame, int width, int height) const;
 
     /// Returns the data of the tank that was loaded last. Precondition: one was.
-    const app::Assets& assets() const { return *assets_; }
+    const assets::Assets& assets() const { return *assets_; }
 
     /// Returns the display lists of the tank and of spheres, for those who check what was drawn.
     const TankLists& tank_lists() const { return tank_lists_; }
@@ -41,7 +41,7 @@ private:
     void draw_view(const app::Frame& frame, int width, int height) const;
     void draw_tanks(const app::Frame& frame) const;
 
-    const app::Assets* assets_ = nullptr;
+    const assets::Assets* assets_ = nullptr;
     unsigned texture_ = 0;
     TankLists tank_lists_;
     Surroundings surroundings_;

@@ -24,14 +24,4 @@ std::string_view part_name(Part part)
     return NAMES[index_of(part)];
 }
 
-std::optional<Part> part_from_name(std::string_view name)
-{
-    for (Part part : ALL_PARTS) {
-        if (part_name(part) == name) {
-            return part;
-        }
-    }
-    return std::nullopt;
-}
-
 } // namespace tank

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string_view>
 
 namespace tank {
@@ -72,8 +71,5 @@ std::string_view mesh_title(MeshKind mesh);
 
 /// Returns the name used in links and on the page, such as "main_gun" or "wheel_left_3".
 std::string_view part_name(Part part);
-
-/// Returns the part with that name, or nothing. Case matters.
-std::optional<Part> part_from_name(std::string_view name);
 
 } // namespace tank

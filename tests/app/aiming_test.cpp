@@ -1,6 +1,6 @@
-#include "app/camera_view.h"
-#include "app/pointer.h"
-#include "app/simulation.h"
+#include "app/commands/pointer.h"
+#include "app/simulation/simulation.h"
+#include "app/view/camera_view.h"
 #include "fixtures.h"
 #include "simulation_steps.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 TEST(AimingTest, AimingFiresFromTheEyeThroughThePlaceInTheWindow)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     for (glm::dvec2 aim : {glm::dvec2(0.0), glm::dvec2(0.3, -0.2), glm::dvec2(-0.5, 0.4)}) {
         open(simulation, "orbit=70&tilt=25&distance=30");
         simulation.apply("aim_x", aim.x);
@@ -41,7 +41,7 @@ TEST(AimingTest, AimingFiresFromTheEyeThroughThePlaceInTheWindow)
 
 TEST(AimingTest, DraggingMovesTheHandleUnderThePointer)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "probe=point&point_x=1&orbit=30&distance=12");
     const CameraView camera = camera_view(simulation.state(), simulation.assets());
     const ViewAxes axes = view_axes(camera);

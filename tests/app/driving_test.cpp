@@ -1,5 +1,5 @@
-#include "app/simulation.h"
-#include "app/ticks.h"
+#include "app/simulation/simulation.h"
+#include "app/state/ticks.h"
 #include "fixtures.h"
 
 #include <cmath>
@@ -36,7 +36,7 @@ double turned(double from, double to)
 TEST(DrivingTest, GoesStraightAheadWhereTheTankFaces)
 {
     for (double heading : {0.0, 90.0, -135.0, 37.0}) {
-        Simulation simulation(own_assets());
+        Simulation simulation(assets::own_assets());
         simulation.apply("heading", heading);
         hold(simulation, {"drive_forward"}, TICKS_PER_SECOND);
         const double angle = heading * pi / 180.0;
@@ -49,24 +49,25 @@ TEST(DrivingTest, GoesStraightAheadWhereTheTankFaces)
 
 TEST(DrivingTest, RollsBothSidesByTheGroundCovered)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     const int ticks = 6;
     hold(simulation, {"drive_forward"}, ticks);
     const double covered = 5.0 * ticks / TICKS_PER_SECOND;
     const tank::JointAngles& joints = simulation.state().joints;
-    EXPECT_GT(own_assets().wheel_radius, 0.3);
-    EXPECT_NEAR(turned(0.0, joints[Joint::wheels_left]) * own_assets().wheel_radius, covered, 1e-9);
+    EXPECT_GT(assets::own_assets().wheel_radius, 0.3);
+    EXPECT_NEAR(turned(0.0, joints[Joint::wheels_left]) * assets::own_assets().wheel_radius, covered, 1e-9);
     EXPECT_EQ(joints[Joint::wheels_left], joints[Joint::wheels_right]);
 }
 
 TEST(DrivingTest, RollsTheSidesAgainstEachOtherInTurningInPlace)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     hold(simulation, {"turn_left"}, 20);
     const tank::JointAngles& joints = simulation.state().joints;
-    const double half = own_assets().layout[tank::Part::wheel_left_1].pivot.x;
+    const double half = assets::own_assets().layout[tank::Part::wheel_left_1].pivot.x;
     EXPECT_GT(joints[Joint::heading], 0.0);
-    EXPECT_NEAR(joints[Joint::wheels_right] * own_assets().wheel_radius, joints[Joint::heading] * half, 1e-9);
+    EXPECT_NEAR(joints[Joint::wheels_right] * assets::own_assets().wheel_radius,
+                joints[Joint::heading] * half, 1e-9);
     EXPECT_EQ(joints[Joint::wheels_left], -joints[Joint::wheels_right]);
     EXPECT_EQ(simulation.state().x, 0.0);
     EXPECT_EQ(simulation.state().z, 0.0);
@@ -74,7 +75,7 @@ TEST(DrivingTest, RollsTheSidesAgainstEachOtherInTurningInPlace)
 
 TEST(DrivingTest, RollsTheOuterSideFurtherInACurve)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     hold(simulation, {"drive_forward", "turn_right"}, 6);
     const tank::JointAngles& joints = simulation.state().joints;
     EXPECT_GT(joints[Joint::wheels_left], joints[Joint::wheels_right]);
@@ -84,7 +85,7 @@ TEST(DrivingTest, RollsTheOuterSideFurtherInACurve)
 
 TEST(DrivingTest, StandsStillAtTheEdgeOfTheGround)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     simulation.open_link("z=199.9&heading=0");
     hold(simulation, {"drive_forward"}, TICKS_PER_SECOND);
     EXPECT_EQ(simulation.state().z, 200.0);
@@ -97,7 +98,7 @@ TEST(DrivingTest, StandsStillAtTheEdgeOfTheGround)
 
 TEST(DrivingTest, LeavesTheWheelsToTheirOwnKeysWhileTheTankStands)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     hold(simulation, {"wheels_forward"}, 10);
     EXPECT_GT(simulation.state().joints[Joint::wheels_left], 0.0);
     EXPECT_EQ(simulation.state().x, 0.0);
@@ -106,7 +107,7 @@ TEST(DrivingTest, LeavesTheWheelsToTheirOwnKeysWhileTheTankStands)
 
 TEST(DrivingTest, CancelsWhenBothWaysAreHeldAtOneSpeed)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     hold(simulation, {"turn_left", "turn_right", "drive_forward", "drive_backward"}, 30);
     EXPECT_EQ(simulation.state().z, 0.0);
     EXPECT_EQ(simulation.state().joints[Joint::heading], 0.0);

@@ -1,4 +1,4 @@
-#include "app/fields.h"
+#include "app/state/fields.h"
 
 #include "fixtures.h"
 

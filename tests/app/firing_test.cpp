@@ -1,9 +1,10 @@
-#include "app/firing.h"
+#include "app/commands/firing.h"
+#include "app/state/flight.h"
 
 #include "allocation_count/allocation_count.h"
-#include "app/simulation.h"
-#include "app/tasks.h"
-#include "app/update.h"
+#include "app/commands/update.h"
+#include "app/links/tasks.h"
+#include "app/simulation/simulation.h"
 #include "fixtures.h"
 #include "simulation_steps.h"
 
@@ -17,7 +18,7 @@ constexpr std::string_view ACROSS = "line_ax=20&line_ay=2.4&line_az=1&line_bx=19
 
 TEST(FiringTest, TheProjectileFliesAlongItsLineAtItsSpeed)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, std::string(ACROSS) + "&speed=12");
     EXPECT_FALSE(simulation.state().shot.flies);
     EXPECT_EQ(simulation.apply("fire", 1.0), "");
@@ -32,7 +33,7 @@ TEST(FiringTest, TheProjectileFliesAlongItsLineAtItsSpeed)
 
 TEST(FiringTest, AShotEndsByItselfAndEverythingIsAsBefore)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, std::string(ACROSS) + "&speed=2000");
     const State start = simulation.state();
     simulation.apply("fire", 1.0);
@@ -52,7 +53,7 @@ TEST(FiringTest, AShotEndsByItselfAndEverythingIsAsBefore)
 
 TEST(FiringTest, ALineOfNoLengthIsNotFiredAlong)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "line_ax=1&line_ay=1&line_az=1&line_bx=1&line_by=1&line_bz=1");
     const State before = simulation.state();
     EXPECT_EQ(simulation.apply("fire", 1.0),
@@ -66,7 +67,7 @@ TEST(FiringTest, ALineOfNoLengthIsNotFiredAlong)
 
 TEST(FiringTest, EveryPartOnTheWayIsTouchedExactlyOnceAtAnySpeed)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, ACROSS);
     const collision::PartSet on_the_way =
         simulation.spheres()
@@ -92,7 +93,7 @@ TEST(FiringTest, EveryPartOnTheWayIsTouchedExactlyOnceAtAnySpeed)
 
 TEST(FiringTest, RandomShotsTouchWhatTheirWholeWayTouches)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     std::mt19937_64 random(61);
     const auto between = [&](double low, double high) { return low + (high - low) * next_unit(random); };
     for (int i = 0; i < 300; ++i) {
@@ -124,7 +125,7 @@ TEST(FiringTest, RandomShotsTouchWhatTheirWholeWayTouches)
 
 TEST(FiringTest, AShowerFallsWhileTheProjectileStaysInsideAndEndsAfterwards)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "probe=point&point_x=30&point_y=2.4&point_z=1");
     steps(simulation, 10);
     EXPECT_FALSE(simulation.sparks().is_active());
@@ -146,7 +147,7 @@ TEST(FiringTest, AShowerFallsWhileTheProjectileStaysInsideAndEndsAfterwards)
 
 TEST(FiringTest, SparksStartWhereTheSphereIsTouchedAndNeverFallThroughTheGround)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, std::string(ACROSS) + "&speed=600");
     simulation.apply("fire", 1.0);
     while (simulation.touches() == 0) {
@@ -174,7 +175,7 @@ TEST(FiringTest, ALinkOfAShotInFlightReplaysItToTheSameHash)
     for (std::string_view base : {"", "speed=40&turret=33.33&probe=point&point_x=1", "task=2.6", "task=1.1",
                                   "particles=fountain&amount=200&speed=30"}) {
         for (int tick : {0, 1, 7, 31, 60, 90}) {
-            Simulation live(own_assets());
+            Simulation live(assets::own_assets());
             open(live, base);
             live.apply("gun_up", 1.0);
             steps(live, 13); // off the grid
@@ -184,7 +185,7 @@ TEST(FiringTest, ALinkOfAShotInFlightReplaysItToTheSameHash)
             live.apply("orbit", 77.0); // looking changes nothing
             const std::string text = link(live.state());
             EXPECT_EQ(live.state().event.kind, EventKind::fire) << base;
-            Simulation replayed(own_assets());
+            Simulation replayed(assets::own_assets());
             steps(replayed, 5);
             open(replayed, text);
             EXPECT_EQ(link(replayed.state()), text);
@@ -207,12 +208,12 @@ TEST(FiringTest, ALinkOfAShotInFlightReplaysItToTheSameHash)
 TEST(FiringTest, AnOpenedAnimationReplaysToTheSameHash)
 {
     constexpr std::string_view BASE = "probe=point&point_x=1&point_y=2.4&point_z=1&particles=box&event=open";
-    Simulation live(own_assets());
+    Simulation live(assets::own_assets());
     open(live, BASE);
     steps(live, 100);
     const std::string text = link(live.state());
     EXPECT_NE(text.find("&event=open&tick=100"), std::string::npos) << text;
-    Simulation replayed(own_assets());
+    Simulation replayed(assets::own_assets());
     open(replayed, text);
     EXPECT_EQ(replayed.hash(), live.hash());
     EXPECT_GT(replayed.touches(), 0u);
@@ -225,7 +226,7 @@ TEST(FiringTest, AnOpenedAnimationReplaysToTheSameHash)
 TEST(FiringTest, SameCommandsGiveTheSameHashWhateverTheFrames)
 {
     const auto play = [](bool draws) {
-        Simulation simulation(own_assets());
+        Simulation simulation(assets::own_assets());
         open(simulation, "task=2.6&particles=explosion");
         for (int i = 0; i < 100; ++i) {
             if (i % 30 == 10) {
@@ -259,8 +260,8 @@ TEST(FiringTest, BadEventsInLinksAreNamed)
 
 TEST(FiringTest, HitsSparksAndJointsGoOnAtEitherLevel)
 {
-    Simulation high(own_assets());
-    Simulation low(own_assets());
+    Simulation high(assets::own_assets());
+    Simulation low(assets::own_assets());
     open(high, "task=2.6&detail=high");
     open(low, "task=2.6&detail=low");
     for (int i = 0; i < 90; ++i) {
@@ -274,7 +275,7 @@ TEST(FiringTest, HitsSparksAndJointsGoOnAtEitherLevel)
 
 TEST(FiringTest, EveryPresetWithAnyAmountIsShownAndEnds)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     const std::span<const std::string_view> presets = field(FieldId::particles).choices;
     ASSERT_EQ(presets.size(), 9u); // none, Lab 2's six, and the two of hits
     for (std::size_t preset = 1; preset < presets.size(); ++preset) {
@@ -295,7 +296,7 @@ TEST(FiringTest, EveryPresetWithAnyAmountIsShownAndEnds)
 
 TEST(FiringTest, AStepAllocatesNothingWhileShotSparksAndParticlesAreUnderWay)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "task=2.6&particles=box&probe=point&point_x=1");
     steps(simulation, 120);
     simulation.apply("speed", 1.0);
@@ -316,7 +317,7 @@ TEST(FiringTest, AStepAllocatesNothingWhileShotSparksAndParticlesAreUnderWay)
 
 TEST(FiringTest, DigitsOpenEveryTaskAndFigure)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     std::size_t opened = 0;
     for (Key key : {Key::digit_1, Key::digit_2, Key::digit_3, Key::digit_4}) {
         const Command* command = command_for_key(key);

@@ -1,7 +1,7 @@
-#include "app/frame.h"
+#include "app/view/frame.h"
 
-#include "app/fields.h"
-#include "app/links.h"
+#include "app/links/links.h"
+#include "app/state/fields.h"
 #include "fixtures.h"
 #include "tank/part_matrices.h"
 
@@ -23,7 +23,7 @@ Frame frame_of(std::string_view fragment)
 {
     State state;
     EXPECT_TRUE(open_link(state, fragment).messages.empty()) << fragment;
-    return make_frame(state, tiny_assets());
+    return make_frame(state, assets::tiny_assets());
 }
 
 void expect_near(const glm::dvec3& actual, const glm::dvec3& expected)
@@ -71,11 +71,11 @@ TEST(FrameTest, TheTankIsDrawnAsTheStateHasIt)
 {
     State state;
     open_link(state, "x=3&z=4&turret=30&gun=5&wheels=7&heading=-20&ground=off");
-    const Frame frame = make_frame(state, tiny_assets());
+    const Frame frame = make_frame(state, assets::tiny_assets());
     ASSERT_EQ(frame.used_tanks().size(), 1u);
     EXPECT_EQ(frame.tanks[0].joints, state.joints);
     EXPECT_EQ(frame.tanks[0].position, glm::dvec3(3, 0, 4));
-    EXPECT_EQ(frame.tanks[0].level, Level::high);
+    EXPECT_EQ(frame.tanks[0].level, lod::Level::high);
     EXPECT_FALSE(frame.ground);
     EXPECT_TRUE(frame_of("").ground);
 }
@@ -84,7 +84,7 @@ TEST(FrameTest, TheEyeIsAlwaysAboveTheGroundAndTheViewIsDefined)
 {
     std::mt19937_64 random(31);
     for (int i = 0; i < 20000; ++i) {
-        const CameraView camera = make_frame(random_state(random), tiny_assets()).camera;
+        const CameraView camera = make_frame(random_state(random), assets::tiny_assets()).camera;
         ASSERT_GE(camera.eye.y, 0.1);
         const glm::dvec3 sight = glm::normalize(camera.centre - camera.eye);
         ASSERT_GT(glm::length(glm::cross(sight, camera.up)), 0.01); // gluLookAt needs a direction besides up
@@ -97,7 +97,7 @@ TEST(FrameTest, TheNearPlaneCutsNeitherGroundNorTankOff)
 {
     std::mt19937_64 random(37);
     for (int i = 0; i < 5000; ++i) {
-        const Frame frame = make_frame(random_state(random), tiny_assets());
+        const Frame frame = make_frame(random_state(random), assets::tiny_assets());
         for (const PaneInFrame& pane : frame.used_panes()) {
             const CameraView& camera = pane.camera;
             const double distance = glm::distance(camera.eye, camera.centre);
@@ -191,8 +191,8 @@ TEST(FrameTest, MakingAFrameIsPure)
     std::mt19937_64 random(41);
     const State state = random_state(random);
     const State copy = state;
-    const Frame one = make_frame(state, tiny_assets());
-    const Frame other = make_frame(copy, tiny_assets());
+    const Frame one = make_frame(state, assets::tiny_assets());
+    const Frame other = make_frame(copy, assets::tiny_assets());
     EXPECT_EQ(state, copy);
     EXPECT_EQ(one.camera.eye, other.camera.eye);
     EXPECT_EQ(one.tanks[0].joints, other.tanks[0].joints);

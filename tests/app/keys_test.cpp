@@ -1,4 +1,4 @@
-#include "app/keys.h"
+#include "app/commands/keys.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "app/links.h"
+#include "app/links/links.h"
 
-#include "app/fields.h"
-#include "app/tasks.h"
-#include "app/update.h"
+#include "app/commands/update.h"
+#include "app/links/tasks.h"
+#include "app/state/fields.h"
 #include "fixtures.h"
 
 #include <cmath>
@@ -76,9 +76,9 @@ TEST(LinksTest, StatesReachedByKeysRoundTripToo)
         const bool is_switch = command.kind == CommandKind::hold || command.kind == CommandKind::press;
         const double amount =
             is_switch ? static_cast<double>(random() % 2) : next_unit(random) * 400.0 - 200.0;
-        const std::string fault = apply(state, tiny_assets(), command, amount);
+        const std::string fault = apply(state, assets::tiny_assets(), command, amount);
         ASSERT_TRUE(fault.empty() || command.group == Group::projectile) << fault; // nothing in that way
-        step(state, tiny_assets());
+        step(state, assets::tiny_assets());
         State back;
         ASSERT_TRUE(open_link(back, link(state)).messages.empty());
         ASSERT_EQ(back, snapped(state)) << link(state);
@@ -232,8 +232,8 @@ TEST(LinksTest, OfTwoTasksTheLastIsUsed)
 TEST(LinksTest, OpeningReplacesEverythingAndCountsARevision)
 {
     State state;
-    apply(state, tiny_assets(), "turret_left", 1.0);
-    step(state, tiny_assets());
+    apply(state, assets::tiny_assets(), "turret_left", 1.0);
+    step(state, assets::tiny_assets());
     const std::uint64_t revision = state.revision.count;
     EXPECT_TRUE(open_link(state, "gun=5").messages.empty());
     EXPECT_EQ(state, opened("gun=5").state);

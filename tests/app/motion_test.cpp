@@ -1,7 +1,7 @@
-#include "app/motion.h"
+#include "app/simulation/motion.h"
 
-#include "app/json.h"
-#include "app/simulation.h"
+#include "app/report/json.h"
+#include "app/simulation/simulation.h"
 #include "fixtures.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ protected:
 
     bool rests() const { return simulation.moving_parts().is_empty(); }
 
-    Simulation simulation{own_assets()};
+    Simulation simulation{assets::own_assets()};
 };
 
 TEST_F(MotionTest, IsOfThePartWhoseJointTurnsAndNotOfWhatItCarries)
@@ -103,7 +103,7 @@ TEST_F(MotionTest, ShowsItsAxisWhenThatIsAskedFor)
     step(3);
     // Of two the one further out.
     const AxisInFrame axis = simulation.frame().axis;
-    const AxisInFrame gun = axis_of(simulation.state(), own_assets(), tank::Joint::main_gun);
+    const AxisInFrame gun = axis_of(simulation.state(), assets::own_assets(), tank::Joint::main_gun);
     EXPECT_TRUE(axis.is_shown);
     EXPECT_EQ(axis.origin, gun.origin);
     EXPECT_EQ(axis.direction, gun.direction);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/simulation.h"
+#include "app/simulation/simulation.h"
 
 #include <gtest/gtest.h>
 #include <string_view>

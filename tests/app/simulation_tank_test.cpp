@@ -1,8 +1,8 @@
 // A simulation whose tank becomes another one while it runs.
-#include "app/simulation.h"
+#include "app/simulation/simulation.h"
 
-#include "app/json.h"
-#include "app/users_tank.h"
+#include "app/report/json.h"
+#include "assets/users_tank.h"
 #include "original_set.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +10,14 @@
 namespace app {
 namespace {
 
-const Assets& users_assets()
+const assets::Assets& users_assets()
 {
-    static const Assets ASSETS = read_users_tank(original_set().views()).value().assets;
+    static const assets::Assets ASSETS =
+        assets::read_users_tank(assets::original_set().views(), assets::PAINT_VIEW).value().assets;
     return ASSETS;
 }
 
-bool spheres_are_of(const Simulation& simulation, const Assets& assets)
+bool spheres_are_of(const Simulation& simulation, const assets::Assets& assets)
 {
     TankSpheres expected(assets);
     expected.refit(simulation.state());
@@ -32,26 +33,26 @@ bool spheres_are_of(const Simulation& simulation, const Assets& assets)
 
 TEST(SimulationTankTest, ShowsTheUsersTankWhereTheStateAsksForItAndOursElsewhere)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     EXPECT_FALSE(simulation.has_own_tank());
     simulation.apply("turret", 30.0);
     simulation.bring(&users_assets());
-    EXPECT_EQ(&simulation.assets(), &own_assets()); // it was not asked for
+    EXPECT_EQ(&simulation.assets(), &assets::own_assets()); // it was not asked for
     EXPECT_EQ(simulation.apply("tank", 1), "");
     EXPECT_EQ(&simulation.assets(), &users_assets());
     EXPECT_TRUE(spheres_are_of(simulation, users_assets()));
     EXPECT_EQ(link(simulation.state()), "turret=30&tank=own"); // the pose is kept
     simulation.apply("tank", 0);
-    EXPECT_EQ(&simulation.assets(), &own_assets());
-    EXPECT_TRUE(spheres_are_of(simulation, own_assets()));
+    EXPECT_EQ(&simulation.assets(), &assets::own_assets());
+    EXPECT_TRUE(spheres_are_of(simulation, assets::own_assets()));
 }
 
 TEST(SimulationTankTest, ALinkThatNeedsTheUsersFilesWaitsForThemWithItsStateKept)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     EXPECT_TRUE(simulation.open_link("turret=-20&tank=own&probe=point").messages.empty());
     EXPECT_TRUE(simulation.lacks_own_tank());
-    EXPECT_EQ(&simulation.assets(), &own_assets());
+    EXPECT_EQ(&simulation.assets(), &assets::own_assets());
     const std::uint64_t revision = simulation.state().revision.count;
     simulation.bring(&users_assets());
     EXPECT_FALSE(simulation.lacks_own_tank());
@@ -64,17 +65,17 @@ TEST(SimulationTankTest, ALinkThatNeedsTheUsersFilesWaitsForThemWithItsStateKept
 TEST(SimulationTankTest, WhatALinkHasUnderWayGoesAsIfTheFilesHadBeenThere)
 {
     constexpr const char* LINK = "tank=own&event=fire&tick=40&seed=7&point_x=0&point_y=2&point_z=9";
-    Simulation late(own_assets());
+    Simulation late(assets::own_assets());
     late.open_link(LINK);
     late.bring(&users_assets());
-    Simulation early(own_assets());
+    Simulation early(assets::own_assets());
     early.bring(&users_assets());
     early.open_link(LINK);
     EXPECT_EQ(late.hash(), early.hash());
     EXPECT_EQ(late.touches(), early.touches());
     EXPECT_EQ(link(late.state()), link(early.state()));
     // And it matters: on our tank the projectile meets other spheres, elsewhere, and the sparks still fly.
-    Simulation lab(own_assets());
+    Simulation lab(assets::own_assets());
     lab.open_link(std::string(LINK).substr(9));
     EXPECT_GT(early.touches(), 0u);
     EXPECT_NE(lab.sparks().hash(), early.sparks().hash());
@@ -82,7 +83,7 @@ TEST(SimulationTankTest, WhatALinkHasUnderWayGoesAsIfTheFilesHadBeenThere)
 
 TEST(SimulationTankTest, TellsTheFactorAndWhetherThereIsAUsersTank)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     EXPECT_NE(state_json(simulation).find("\"has_own_tank\":false"), std::string::npos);
     simulation.bring(&users_assets());
     simulation.apply("tank", 1);

@@ -1,10 +1,10 @@
-#include "app/simulation.h"
+#include "app/simulation/simulation.h"
 
-#include "app/json.h"
-#include "app/update.h"
+#include "app/commands/update.h"
+#include "app/report/json.h"
 #include "collision/transformed_sphere.h"
 #include "fixtures.h"
-#include "json_reader.h"
+#include "parsed_json.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ void random_pose(Simulation& simulation, std::mt19937_64& random)
 
 TEST(SimulationTest, EveryVertexOfTheTankIsInsideItsPartsSphereAndThatInTheRootInEveryPose)
 {
-    const Assets& assets = own_assets();
+    const assets::Assets& assets = assets::own_assets();
     Simulation simulation(assets);
     std::mt19937_64 random(51);
     for (int pose = 0; pose < 2000; ++pose) {
@@ -54,7 +54,7 @@ TEST(SimulationTest, EveryVertexOfTheTankIsInsideItsPartsSphereAndThatInTheRootI
 
 TEST(SimulationTest, SpheresAreThoseOfTheHighMeshesMovedWithTheirParts)
 {
-    const Assets& assets = own_assets();
+    const assets::Assets& assets = assets::own_assets();
     Simulation simulation(assets);
     for (std::string_view fragment :
          {"turret=90&gun=20&wheels=45&heading=30&x=7&z=-3", "turret=-50&detail=low&distance=300"}) {
@@ -74,7 +74,7 @@ TEST(SimulationTest, SpheresAreThoseOfTheHighMeshesMovedWithTheirParts)
 
 TEST(SimulationTest, OnlyWhatMovedIsRefitted)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     const auto counts = [&] { return simulation.spheres().hierarchy().refit_counts(); };
     const collision::RefitCounts start = counts();
     for (int i = 0; i < 100; ++i) {
@@ -92,7 +92,7 @@ TEST(SimulationTest, OnlyWhatMovedIsRefitted)
 
 TEST(SimulationTest, HeldKeysMoveTheSpheresWithTheParts)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     const glm::dvec3 gun = simulation.spheres().hierarchy().parts()[2].centre;
     simulation.apply("turret_left", 1.0);
     for (int i = 0; i < 135; ++i) { // a quarter turn at 40 degrees a second
@@ -106,7 +106,7 @@ TEST(SimulationTest, HeldKeysMoveTheSpheresWithTheParts)
 
 TEST(SimulationTest, TheReportTellsTheWholeFirstAndItsPartsOnlyIfInside)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "probe=point&point_x=50");
     std::vector<std::string> lines = report_lines(simulation.report());
     ASSERT_EQ(lines.size(), 1u);
@@ -124,12 +124,12 @@ TEST(SimulationTest, TheReportTellsTheWholeFirstAndItsPartsOnlyIfInside)
         EXPECT_NE(lines[2].find(word), std::string::npos) << lines[2];
     }
     EXPECT_EQ(lines[2].find("parameter"), std::string::npos);
-    EXPECT_TRUE(report_lines(Simulation(own_assets()).report()).empty());
+    EXPECT_TRUE(report_lines(Simulation(assets::own_assets()).report()).empty());
 }
 
 TEST(SimulationTest, TheReportOfALineHasTheClosestPointAndItsParameter)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     for (std::string_view probe : {"segment", "ray", "line"}) {
         open(simulation, "probe=" + std::string(probe));
         const std::vector<std::string> lines = report_lines(simulation.report());
@@ -149,7 +149,7 @@ TEST(SimulationTest, TheReportOfALineHasTheClosestPointAndItsParameter)
 
 TEST(SimulationTest, ALineWithBothEndsEqualIsAPointAndSaysSo)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     for (std::string_view probe : {"segment", "ray", "line"}) {
         open(simulation,
              "probe=" + std::string(probe) + "&line_ax=0&line_ay=2&line_az=0&line_bx=0&line_by=2&line_bz=0");
@@ -162,7 +162,7 @@ TEST(SimulationTest, ALineWithBothEndsEqualIsAPointAndSaysSo)
 
 TEST(SimulationTest, NoLineIsPrintedTwiceInARow)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     std::mt19937_64 random(53);
     for (int i = 0; i < 3000; ++i) {
         const Command& command = commands()[random() % commands().size()];
@@ -183,7 +183,7 @@ TEST(SimulationTest, NoLineIsPrintedTwiceInARow)
 
 TEST(SimulationTest, ReportsArePrintedOnLoadOnEveryChangeAndByKeyAndNotOtherwise)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     EXPECT_EQ(simulation.log().count(), 0u);
     open(simulation, "probe=point&point_x=1");
     EXPECT_EQ(simulation.log().count(), 1u);
@@ -209,7 +209,7 @@ TEST(SimulationTest, ReportsArePrintedOnLoadOnEveryChangeAndByKeyAndNotOtherwise
 
 TEST(SimulationTest, NotANumberNeverReachesTheProjectile)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "probe=point&point_x=1");
     for (std::string_view name : {"point_x", "point_y", "point_z", "point_radius", "line_ax", "line_bz",
                                   "speed", "aim_x", "threshold", "projectile_x_by"}) {
@@ -224,7 +224,7 @@ TEST(SimulationTest, NotANumberNeverReachesTheProjectile)
 
 TEST(SimulationTest, KeysMoveWhatTheHandleSays)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     const Projectile start = simulation.state().projectile;
     for (int handle = 0; handle < 3; ++handle) {
         open(simulation, "");
@@ -242,7 +242,7 @@ TEST(SimulationTest, KeysMoveWhatTheHandleSays)
 
 TEST(SimulationTest, TheFrameShowsWhatIsPenetratedAndWires)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "probe=point&point_x=0.9&point_y=3.4&point_z=1");
     Frame frame = simulation.frame();
     ASSERT_EQ(frame.used_spheres().size(), 3u); // root, body, turret
@@ -282,7 +282,7 @@ std::size_t sparks_alight(const Simulation& simulation)
 TEST(SimulationTest, AnOpenedLinkHasItsOwnSparksAloneWhateverWasOpenBefore)
 {
     constexpr std::string_view UNDER_WAY = "task=2.6&speed=30&event=fire&tick=16";
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, UNDER_WAY);
     const std::size_t sparks = sparks_alight(simulation);
     ASSERT_GT(sparks, 50u);
@@ -297,21 +297,21 @@ TEST(SimulationTest, AnOpenedLinkHasItsOwnSparksAloneWhateverWasOpenBefore)
 
 TEST(SimulationTest, JsonHasTheHits)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     open(simulation, "task=2.5");
-    const std::optional<JsonValue> state = read_json(state_json(simulation));
-    ASSERT_TRUE(state);
-    EXPECT_EQ((*state)["probe"].text, "segment");
-    EXPECT_EQ((*state)["hits"]["report"]["root"]["part"].text, "tank");
-    EXPECT_TRUE((*state)["hits"]["report"]["root"]["inside"].boolean);
-    EXPECT_GE((*state)["hits"]["report"]["parts"].items.size(), 1u);
-    const std::optional<JsonValue> hits = read_json(hits_json(simulation));
-    ASSERT_TRUE(hits);
-    EXPECT_EQ((*hits)["log"].items.size(), (*hits)["lines"].items.size() + 1);
+    const nlohmann::json state = parsed_json(state_json(simulation));
+    ASSERT_FALSE(state.is_discarded());
+    EXPECT_EQ(state["probe"], "segment");
+    EXPECT_EQ(state["hits"]["report"]["root"]["part"], "tank");
+    EXPECT_EQ(state["hits"]["report"]["root"]["inside"], true);
+    EXPECT_GE(state["hits"]["report"]["parts"].size(), 1u);
+    const nlohmann::json hits = parsed_json(hits_json(simulation));
+    ASSERT_FALSE(hits.is_discarded());
+    EXPECT_EQ(hits["log"].size(), hits["lines"].size() + 1);
     open(simulation, "");
-    const std::optional<JsonValue> none = read_json(hits_json(simulation));
-    ASSERT_TRUE(none);
-    EXPECT_EQ((*none)["report"].type, JsonValue::Type::null);
+    const nlohmann::json none = parsed_json(hits_json(simulation));
+    ASSERT_FALSE(none.is_discarded());
+    EXPECT_TRUE(none["report"].is_null());
 }
 
 } // namespace

@@ -1,6 +1,6 @@
-#include "app/state.h"
+#include "app/state/state.h"
 
-#include "app/fields.h"
+#include "app/state/fields.h"
 #include "fixtures.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "app/tasks.h"
+#include "app/links/tasks.h"
 
-#include "app/commands.h"
-#include "app/facts.h"
-#include "app/json.h"
-#include "app/links.h"
+#include "app/commands/commands.h"
+#include "app/links/links.h"
+#include "app/report/facts.h"
+#include "app/report/json.h"
 #include "fixtures.h"
-#include "json_reader.h"
+#include "parsed_json.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -55,7 +55,7 @@ TEST(TasksTest, CommandsToTryExist)
 
 Simulation opened(std::string_view fragment)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     EXPECT_TRUE(simulation.open_link(fragment).messages.empty()) << fragment;
     return simulation;
 }
@@ -74,7 +74,7 @@ TEST(TasksTest, EveryTaskAndFigureShowsEvidence)
     for (const Task& task : tasks()) {
         const Simulation simulation = opened(std::string(link_key(task.kind)) + "=" + std::string(task.id));
         EXPECT_GE(facts(simulation).size(), 3u) << task.id;
-        EXPECT_TRUE(read_json(state_json(simulation))) << task.id;
+        EXPECT_FALSE(parsed_json(state_json(simulation)).is_discarded()) << task.id;
     }
 }
 
@@ -123,15 +123,15 @@ TEST(TasksTest, TheTasksAboutLevelsUseTheHandoutsCamera)
         EXPECT_EQ(frame.camera.eye.y, frame.camera.centre.y) << task;
         EXPECT_EQ(frame.camera.eye.z, opened(task).state().camera.distance) << task; // the tank is at z = 0
     }
-    EXPECT_EQ(opened("task=3.2").frame().tanks[0].level, Level::low);
+    EXPECT_EQ(opened("task=3.2").frame().tanks[0].level, lod::Level::low);
     EXPECT_EQ(opened("task=3.1").frame().used_tanks().size(), 2u);
     Simulation crossing = opened("task=3.3");
-    EXPECT_EQ(crossing.frame().tanks[0].level, Level::high);
+    EXPECT_EQ(crossing.frame().tanks[0].level, lod::Level::high);
     crossing.apply("zoom_out", 1.0);
     for (int i = 0; i < 60; ++i) {
         crossing.step();
     }
-    EXPECT_EQ(crossing.frame().tanks[0].level, Level::low);
+    EXPECT_EQ(crossing.frame().tanks[0].level, lod::Level::low);
     EXPECT_EQ(crossing.level_switches(), 1u);
 }
 

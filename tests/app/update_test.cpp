@@ -1,8 +1,8 @@
-#include "app/update.h"
+#include "app/commands/update.h"
 
-#include "app/frame.h"
+#include "app/view/frame.h"
 
-#include "app/links.h"
+#include "app/links/links.h"
 #include "fixtures.h"
 
 #include <cmath>
@@ -19,13 +19,13 @@ using tank::Joint;
 void steps(State& state, int count)
 {
     for (int i = 0; i < count; ++i) {
-        step(state, tiny_assets());
+        step(state, assets::tiny_assets());
     }
 }
 
 void expect_done(State& state, std::string_view name, double value)
 {
-    EXPECT_EQ(apply(state, tiny_assets(), name, value), "") << name;
+    EXPECT_EQ(apply(state, assets::tiny_assets(), name, value), "") << name;
 }
 
 /// What moves the tank on the ground rolls its wheels, too: driving_test.cpp.
@@ -67,7 +67,7 @@ TEST(UpdateTest, HoldingReachesTheLimitsAndNeverPassesThem)
         State state;
         expect_done(state, command.name, 1.0);
         for (int i = 0; i < 10000; ++i) { // the projectile has the longest way
-            step(state, tiny_assets());
+            step(state, assets::tiny_assets());
             for (const Field& field : fields()) {
                 ASSERT_GE(field.get(state), field.minimum) << command.name;
                 ASSERT_LE(field.get(state), field.maximum) << command.name;
@@ -191,8 +191,8 @@ TEST(UpdateTest, UnknownNamesGiveASentenceAndChangeNothing)
 {
     State state;
     const State start = state;
-    EXPECT_EQ(apply(state, tiny_assets(), "turet", 1.0), "There is no command \"turet\".");
-    EXPECT_EQ(apply(state, tiny_assets(), "", 1.0), "There is no command \"\".");
+    EXPECT_EQ(apply(state, assets::tiny_assets(), "turet", 1.0), "There is no command \"turet\".");
+    EXPECT_EQ(apply(state, assets::tiny_assets(), "", 1.0), "There is no command \"\".");
     EXPECT_EQ(state, start);
     EXPECT_EQ(state.revision.count, start.revision.count);
 }
@@ -203,10 +203,11 @@ TEST(UpdateTest, NotANumberAndInfinityAreRefusedByEveryCommand)
         State state;
         const State start = state;
         const std::string name(command.name);
-        EXPECT_EQ(apply(state, tiny_assets(), command, std::nan("")), name + " needs a number, not NaN.");
-        EXPECT_EQ(apply(state, tiny_assets(), command, std::numeric_limits<double>::infinity()),
+        EXPECT_EQ(apply(state, assets::tiny_assets(), command, std::nan("")),
+                  name + " needs a number, not NaN.");
+        EXPECT_EQ(apply(state, assets::tiny_assets(), command, std::numeric_limits<double>::infinity()),
                   name + " needs a number, not infinity.");
-        EXPECT_NE(apply(state, tiny_assets(), command, -std::numeric_limits<double>::infinity()), "");
+        EXPECT_NE(apply(state, assets::tiny_assets(), command, -std::numeric_limits<double>::infinity()), "");
         EXPECT_EQ(state, start);
         EXPECT_EQ(state.revision.count, start.revision.count);
     }
@@ -216,9 +217,9 @@ TEST(UpdateTest, HoldsAndPressesTakeOnlyOneAndZero)
 {
     State state;
     const State start = state;
-    EXPECT_NE(apply(state, tiny_assets(), "turret_left", 0.5), "");
-    EXPECT_NE(apply(state, tiny_assets(), "turret_left", -1.0), "");
-    EXPECT_NE(apply(state, tiny_assets(), "reset_view", 2.0), "");
+    EXPECT_NE(apply(state, assets::tiny_assets(), "turret_left", 0.5), "");
+    EXPECT_NE(apply(state, assets::tiny_assets(), "turret_left", -1.0), "");
+    EXPECT_NE(apply(state, assets::tiny_assets(), "reset_view", 2.0), "");
     EXPECT_EQ(state, start);
     expect_done(state, "toggle_ground", 0.0); // the key coming up
     EXPECT_EQ(state, start);
@@ -227,7 +228,7 @@ TEST(UpdateTest, HoldsAndPressesTakeOnlyOneAndZero)
 TEST(UpdateTest, RevisionCountsWhatChangesAndNothingElse)
 {
     State state;
-    step(state, tiny_assets());
+    step(state, assets::tiny_assets());
     EXPECT_EQ(state.revision.count, 0u);
     EXPECT_EQ(state.tick, 1u);
     expect_done(state, "turret", 0.0); // already there
@@ -242,7 +243,7 @@ TEST(UpdateTest, RevisionCountsWhatChangesAndNothingElse)
     EXPECT_EQ(state.revision.count, 5u);
     steps(state, 1000); // against the limit nothing changes any more
     const std::uint64_t at_limit = state.revision.count;
-    step(state, tiny_assets());
+    step(state, assets::tiny_assets());
     EXPECT_EQ(state.revision.count, at_limit);
 }
 
@@ -316,9 +317,9 @@ State play(int ticks_a_frame)
                 expect_done(state, EVENTS[next].name, EVENTS[next].value);
                 ++next;
             }
-            step(state, tiny_assets());
+            step(state, assets::tiny_assets());
         }
-        make_frame(state, tiny_assets()); // drawing changes nothing
+        make_frame(state, assets::tiny_assets()); // drawing changes nothing
     }
     return state;
 }

@@ -1,12 +1,12 @@
-#include "app/camera_view.h"
-#include "app/fields.h"
-#include "app/firing.h"
-#include "app/frame.h"
-#include "app/links.h"
-#include "app/pointer.h"
-#include "app/simulation.h"
-#include "app/update.h"
-#include "app/users_tank.h"
+#include "app/commands/firing.h"
+#include "app/commands/pointer.h"
+#include "app/commands/update.h"
+#include "app/links/links.h"
+#include "app/simulation/simulation.h"
+#include "app/state/fields.h"
+#include "app/view/camera_view.h"
+#include "app/view/frame.h"
+#include "assets/users_tank.h"
 #include "fixtures.h"
 #include "original_set.h"
 #include "tank/part_matrices.h"
@@ -30,7 +30,7 @@ State state_of(std::string_view fragment)
 
 CameraView camera_of(const State& state)
 {
-    return camera_view(state, own_assets());
+    return camera_view(state, assets::own_assets());
 }
 
 /// Returns the way the tank heads.
@@ -59,11 +59,11 @@ void expect_near(const glm::dvec3& actual, const glm::dvec3& expected, double to
 
 void hold(State& state, std::string_view command, int ticks)
 {
-    ASSERT_EQ(apply(state, own_assets(), command, 1.0), "");
+    ASSERT_EQ(apply(state, assets::own_assets(), command, 1.0), "");
     for (int tick = 0; tick < ticks; ++tick) {
-        step(state, own_assets());
+        step(state, assets::own_assets());
     }
-    ASSERT_EQ(apply(state, own_assets(), command, 0.0), "");
+    ASSERT_EQ(apply(state, assets::own_assets(), command, 0.0), "");
 }
 
 TEST(Views, FollowLooksFromBehindWhereverTheTankHeads)
@@ -86,24 +86,24 @@ TEST(Views, FollowLagsBehindATurnSmoothlyAndSwingsBack)
         const glm::dvec3 forward = forward_of(camera_of(state));
         return std::atan2(forward.x, forward.z);
     };
-    ASSERT_EQ(apply(state, own_assets(), "turn_left", 1.0), "");
+    ASSERT_EQ(apply(state, assets::own_assets(), "turn_left", 1.0), "");
     double last = direction();
     double last_rate = 0.0;
     for (int tick = 0; tick < 60; ++tick) {
-        step(state, own_assets());
+        step(state, assets::own_assets());
         const double rate = between(direction(), last);
         EXPECT_NEAR(rate, last_rate, 0.002); // the picture neither starts nor stops with a jerk
         last_rate = rate;
         last = direction();
     }
-    ASSERT_EQ(apply(state, own_assets(), "turn_left", 0.0), "");
+    ASSERT_EQ(apply(state, assets::own_assets(), "turn_left", 0.0), "");
     EXPECT_GT(between(direction(), state.joints[tank::Joint::heading]), 0.1);
     for (int tick = 0; tick < 600; ++tick) {
-        step(state, own_assets());
+        step(state, assets::own_assets());
     }
     EXPECT_NEAR(between(direction(), state.joints[tank::Joint::heading]), 0.0, 1e-9);
     const std::uint64_t rest = state.revision.count;
-    step(state, own_assets());
+    step(state, assets::own_assets());
     EXPECT_EQ(state.revision.count, rest); // nothing is drawn again
 }
 
@@ -123,7 +123,7 @@ TEST(Views, TheGunnerLooksAlongTheBarrelFromAboveTheRoof)
         const State state = state_of(link);
         const CameraView camera = camera_of(state);
         const tank::PartMatrices matrices =
-            tank::part_matrices(own_assets().layout, {{state.x, 0.0, state.z}}, state.joints);
+            tank::part_matrices(assets::own_assets().layout, {{state.x, 0.0, state.z}}, state.joints);
         const glm::dvec3 barrel(glm::dmat4(matrices.joint(tank::Part::main_gun))[2]);
         expect_near(forward_of(camera), barrel, 1e-6);
         const glm::dvec3 turret(glm::dmat4(matrices.joint(tank::Part::turret))[3]);
@@ -136,10 +136,11 @@ TEST(Views, TheGunnerLooksAlongTheBarrelFromAboveTheRoof)
 TEST(Views, TheGunnerOfAnyTankLooksOutAboveItsRoofAndBesideItsBarrel)
 {
     for (const float stretch : {1.0f, 1.5f}) { // the lab's own, and one that nobody knows
-        const Files files = original_set({.turret_stretch = stretch});
-        const mesh::Result<UsersTank> tank = read_users_tank(files.views());
+        const assets::Files files = assets::original_set({.turret_stretch = stretch});
+        const base::Result<assets::UsersTank> tank =
+            assets::read_users_tank(files.views(), assets::PAINT_VIEW);
         ASSERT_TRUE(tank);
-        const Assets& assets = tank.value().assets;
+        const assets::Assets& assets = tank.value().assets;
         const State state = state_of("view=gunner&turret=25&gun=3");
         const CameraView camera = camera_view(state, assets);
         const tank::PartMatrices matrices = tank::part_matrices(assets.layout, {}, state.joints);
@@ -147,7 +148,7 @@ TEST(Views, TheGunnerOfAnyTankLooksOutAboveItsRoofAndBesideItsBarrel)
         const glm::dmat4 gun(matrices.joint(tank::Part::main_gun));
         expect_near(forward_of(camera), glm::dvec3(gun[2]), 1e-6);
         // The made turret's roof, in metres above its mesh's origin; its antennas do not count.
-        const double roof = assets.scale * static_cast<double>(MADE_ROOF);
+        const double roof = assets.scale * static_cast<double>(assets::MADE_ROOF);
         const double mesh_y =
             turret[3].y + static_cast<double>(assets.layout[tank::Part::turret].mesh_offset.y);
         EXPECT_NEAR(camera.eye.y, mesh_y + roof, 0.2);
@@ -166,7 +167,7 @@ TEST(Views, TheGunnersKeysAndDragsTurnTurretAndGunWithinTheirLimits)
     hold(state, "tilt_up", 6000);
     EXPECT_EQ(state.joints[tank::Joint::main_gun], tank::joint_limits(tank::Joint::main_gun).maximum);
     const double turret = state.joints[tank::Joint::turret];
-    ASSERT_EQ(apply(state, own_assets(), "orbit_by", -10.0), ""); // a drag to the right
+    ASSERT_EQ(apply(state, assets::own_assets(), "orbit_by", -10.0), ""); // a drag to the right
     EXPECT_GT(state.joints[tank::Joint::turret], turret);
     EXPECT_EQ(state.camera.orbit, State().camera.orbit);
     EXPECT_EQ(state.camera.tilt, State().camera.tilt);
@@ -178,9 +179,10 @@ TEST(Views, TheGunnerShootsWhereHeLooks)
         for (const char* command : {"fire", "fire_at_aim"}) {
             State state = state_of(link);
             const CameraView camera = camera_of(state);
-            ASSERT_EQ(apply(state, own_assets(), command, 1.0), "");
+            ASSERT_EQ(apply(state, assets::own_assets(), command, 1.0), "");
             ASSERT_TRUE(state.shot.flies);
-            const tank::PartMatrices matrices = tank::part_matrices(own_assets().layout, {}, state.joints);
+            const tank::PartMatrices matrices =
+                tank::part_matrices(assets::own_assets().layout, {}, state.joints);
             const glm::dvec3 trunnion(glm::dmat4(matrices.joint(tank::Part::main_gun))[3]);
             EXPECT_NEAR(glm::distance(state.shot.origin, trunnion), 5.4, 0.2); // from the muzzle
             // Far away it crosses what the middle of the sight shows.
@@ -193,7 +195,7 @@ TEST(Views, TheGunnerShootsWhereHeLooks)
 
 TEST(Views, AShotOfTheGunnerTouchesNoPartOfTheTank)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     simulation.open_link("view=gunner&speed=40");
     ASSERT_EQ(simulation.apply("fire", 1.0), "");
     for (int tick = 0; tick < 120; ++tick) {
@@ -204,14 +206,16 @@ TEST(Views, AShotOfTheGunnerTouchesNoPartOfTheTank)
 
 TEST(Views, TheGunnersTankIsTheHighOneHoweverFarTheOtherViewsAre)
 {
-    EXPECT_EQ(make_frame(state_of("view=gunner&distance=400"), own_assets()).tanks[0].level, Level::high);
-    EXPECT_EQ(make_frame(state_of("view=orbit&distance=400"), own_assets()).tanks[0].level, Level::low);
+    EXPECT_EQ(make_frame(state_of("view=gunner&distance=400"), assets::own_assets()).tanks[0].level,
+              lod::Level::high);
+    EXPECT_EQ(make_frame(state_of("view=orbit&distance=400"), assets::own_assets()).tanks[0].level,
+              lod::Level::low);
 }
 
 TEST(Views, FourShowTheFrontTheLeftSideTheTopAndWhatOrbitShows)
 {
     const State state = state_of("view=four&heading=35&x=4");
-    const Frame frame = make_frame(state, own_assets());
+    const Frame frame = make_frame(state, assets::own_assets());
     ASSERT_EQ(frame.used_panes().size(), 4u);
     const glm::dvec3 left(ahead(state).z, 0.0, -ahead(state).x);
     const std::span<const PaneInFrame> panes = frame.used_panes();
@@ -227,24 +231,24 @@ TEST(Views, FourShowTheFrontTheLeftSideTheTopAndWhatOrbitShows)
                               std::tan(0.5 * pane.camera.field_of_view);
         EXPECT_NEAR(height, 2.0 * state.camera.distance * std::tan(std::numbers::pi / 8.0), 1e-9);
     }
-    EXPECT_EQ(make_frame(state_of("view=follow"), own_assets()).used_panes().size(), 1u);
+    EXPECT_EQ(make_frame(state_of("view=follow"), assets::own_assets()).used_panes().size(), 1u);
 }
 
 TEST(Views, FourHaveNoAim)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     simulation.open_link("view=four&probe=point");
     const State before = simulation.state();
     EXPECT_EQ(simulation.apply("fire_at_aim", 1.0), NO_AIM_IN_FOUR_VIEWS);
     EXPECT_EQ(simulation.apply("move_to_aim", 1.0), NO_AIM_IN_FOUR_VIEWS);
     EXPECT_EQ(simulation.state(), before);
-    EXPECT_EQ(handle_at(simulation.state(), own_assets(), {}), std::nullopt);
+    EXPECT_EQ(handle_at(simulation.state(), assets::own_assets(), {}), std::nullopt);
     EXPECT_EQ(simulation.apply("fire", 1.0), "");
 }
 
 TEST(Views, ALinkGivesTheEyeBackWhereItWas)
 {
-    Simulation simulation(own_assets());
+    Simulation simulation(assets::own_assets());
     simulation.open_link("view=follow&task=2.6");
     simulation.apply("turn_left", 1.0);
     for (int tick = 0; tick < 20; ++tick) {
@@ -256,7 +260,7 @@ TEST(Views, ALinkGivesTheEyeBackWhereItWas)
         simulation.step();
     }
     const State shared = snapped(simulation.state());
-    Simulation opened(own_assets());
+    Simulation opened(assets::own_assets());
     opened.open_link(link(simulation.state()));
     EXPECT_NE(shared.camera.chase, 0.0);
     EXPECT_NE(opened.state().event.kind, EventKind::none); // which is replayed, without moving the eye
@@ -269,7 +273,7 @@ TEST(Views, TheEyeIsAboveTheGroundInAll)
     std::mt19937_64 random(5);
     for (int i = 0; i < 2000; ++i) {
         const State state = random_state(random);
-        const Frame frame = make_frame(state, own_assets());
+        const Frame frame = make_frame(state, assets::own_assets());
         for (const PaneInFrame& pane : frame.used_panes()) {
             EXPECT_GT(pane.camera.eye.y, 0.0) << link(state);
             EXPECT_LT(pane.camera.near_plane, pane.camera.far_plane);

@@ -10,8 +10,8 @@
 //
 // Prints milliseconds, a figure a line (of `compile` two: list, copy).
 
-#include "platform/egl_context.h"
-#include "platform/offscreen_target.h"
+#include "platform/offscreen/egl_context.h"
+#include "platform/offscreen/offscreen_target.h"
 #include "programs.h"
 
 #include <GL/gl.h>

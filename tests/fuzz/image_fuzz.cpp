@@ -1,4 +1,4 @@
-#include "mesh/image.h"
+#include "image/image.h"
 #include "tests/mesh/invariants.h"
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    const mesh::Result<mesh::Image> result = mesh::read_image("fuzz.png", {data, size});
+    const base::Result<image::Image> result = image::read_image("fuzz.png", {data, size});
     std::string broken = result ? broken_invariant(result.value()) : broken_invariant(result.error(), 0);
     if (result && result.value().pixels.size() < 100'000) {
-        const mesh::Result<mesh::Image> again = mesh::read_image("fuzz.png", {data, size});
+        const base::Result<image::Image> again = image::read_image("fuzz.png", {data, size});
         if (!again || again.value().pixels != result.value().pixels)
             broken = "the same bytes were read differently the second time";
     }

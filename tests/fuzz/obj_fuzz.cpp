@@ -13,7 +13,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    const mesh::Result<mesh::ObjMesh> result = mesh::read_obj("fuzz.obj", text);
+    const base::Result<mesh::ObjMesh> result = mesh::read_obj("fuzz.obj", text);
     const auto is_line_end = [](char c) { return c == '\n' || c == '\r'; };
     const int lines = 1 + int(std::count_if(text.begin(), text.end(), is_line_end));
     const std::string broken =

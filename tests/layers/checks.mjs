@@ -12,24 +12,53 @@ import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 
 const THE_FIVE = ["mesh", "tank", "collision", "particles", "lod"];
+const BELOW_APP = ["assets", "image", ...THE_FIVE, "base"];
 
 /** What each folder of src/ may include besides itself, GLM and the standard library.
-    folders: other folders of src/; headers: others', as a pattern of what stands between < and >. */
+    folders: other folders of src/; headers: others', as a pattern of what stands between < and >;
+    floors: its rooms from the ground up, "." being the folder itself: a room may include those of lower floors. */
 const LAYERS = {
-  mesh: { folders: [], headers: /^(tiny_obj_loader\.h|stb\/stb_image\.h)$/ },
-  tank: { folders: [] },
-  collision: { folders: [] },
-  particles: { folders: [] },
-  lod: { folders: [] },
-  app: { folders: THE_FIVE },
-  legacygl: { folders: [], headers: /^(GL\/glu?\.h|legacygl\/legacygl\.h)$/ },
-  scene: { folders: ["app", ...THE_FIVE], headers: /^GL\/glu?\.h$/ },
-  platform: { folders: ["app", "legacygl", "scene", ...THE_FIVE], headers: /./ },
+  base: { folders: [] },
+  image: { folders: ["base"], headers: /^stb\/stb_image\.h$/ },
+  mesh: { folders: ["base"], headers: /^tiny_obj_loader\.h$/ },
+  tank: { folders: ["base"] },
+  collision: { folders: ["base"] },
+  particles: { folders: ["base"] },
+  lod: { folders: ["base"] },
+  assets: { folders: ["base", "image", ...THE_FIVE] },
+  app: { folders: BELOW_APP, floors: [["state"], ["links", "view"], ["commands"], ["simulation"], ["report"]] },
+  legacygl: {
+    folders: [],
+    headers: /^(GL\/glu?\.h|legacygl\/legacygl\.h)$/,
+    floors: [
+      ["vertex", "glu"],
+      ["backend"],
+      ["state", "list"],
+      ["shader"],
+      ["cpu_pipeline"],
+      ["draw"],
+      ["context"],
+      ["pixel"],
+      ["entry"],
+    ],
+  },
+  scene: {
+    folders: ["app", ...BELOW_APP],
+    headers: /^GL\/glu?\.h$/,
+    floors: [["drawing"], ["tank", "markers", "particles"], ["surroundings"], ["."]],
+  },
+  checks: { folders: ["app", "legacygl", "scene", ...BELOW_APP], headers: /^legacygl\/legacygl\.h$/ },
+  platform: {
+    folders: ["app", "checks", "legacygl", "scene", ...BELOW_APP],
+    headers: /./,
+    floors: [["input", "files"], ["program"], ["offscreen", "desktop", "web"]],
+  },
 };
 
 const STANDARD_OR_GLM = /^([a-z_0-9]+|(stddef|stdint|math|string|stdlib|stdio|assert|float|limits)\.h|glm\/.+)$/;
 const ES_HEADER = /^(GLES[23]\/.+|webgl\/.+|emscripten\/html5_webgl\.h)$/;
 const MAY_INCLUDE_ES = /^src\/legacygl\/backend\/es3_\w+\.(h|cpp)$/;
+const PUBLIC_HEADER = /^src\/legacygl\/include\//;
 const MAY_CALL_GL = /^src\/(scene|legacygl)\//;
 const GL_CALL = /(?<![\w.>])(?<!::)(?:::)?(glu?[A-Z]\w*)\s*\(/g;
 const CODE = /\.(c|h|cpp)$/;
@@ -75,13 +104,28 @@ export function withoutComments(text) {
   });
 }
 
+/** Returns the floor of a file of a folder that has floors, or -1 where no floor has its room. */
+function floorOf(floors, file) {
+  const rooms = file.split("/").slice(1, -1);
+  return floors.findIndex((floor) => floor.includes(rooms[0] ?? "."));
+}
+
+function violationsOfFloors(file, folder, target) {
+  const { floors } = LAYERS[folder];
+  if (!floors) return [];
+  const [room, other] = [file.slice("src/".length), target].map((name) => path.posix.dirname(name));
+  if (room === other || floorOf(floors, target) < floorOf(floors, file.slice("src/".length))) return [];
+  return [`${room}/ may not include ${other}/ ("${target}")`];
+}
+
 function violationsOfInclude(file, folder, include) {
   const [, quote, target] = include;
   const rule = LAYERS[folder];
   if (quote === '"') {
     const other = target.split("/")[0];
     if (!target.includes("/") || !(other in LAYERS)) return [`"${target}" is not rooted at src/`];
-    if (other === folder || rule.folders.includes(other)) return [];
+    if (other === folder) return violationsOfFloors(file, folder, target);
+    if (rule.folders.includes(other)) return [];
     return [`${folder}/ may not include ${other}/ ("${target}")`];
   }
   if (ES_HEADER.test(target)) {
@@ -98,6 +142,11 @@ export function checkLayers(root) {
     const folder = file.split("/")[1];
     if (!(folder in LAYERS)) {
       violations.push({ file, line: 1, text: `the table of layers does not know src/${folder}/` });
+      continue;
+    }
+    const { floors } = LAYERS[folder];
+    if (floors && floorOf(floors, file.slice("src/".length)) < 0 && !PUBLIC_HEADER.test(file)) {
+      violations.push({ file, line: 1, text: `no floor of src/${folder}/ has the room of this file` });
       continue;
     }
     const lines = withoutComments(fs.readFileSync(path.join(root, file), "utf8")).split("\n");

@@ -29,11 +29,11 @@ const violations = (check, files) => withTree(files, (root) => check(root).map((
 const OBEYS = {
   "src/mesh/a.cpp": '#include "mesh/a.h"\n#include <vector>\n#include <glm/glm.hpp>\n#include <tiny_obj_loader.h>\n',
   "src/tank/a.h": "#pragma once\n#include <cmath>\n/// The matrix of glRotate(angle, axis).\n",
-  "src/app/a.cpp": '#include "tank/a.h"\n#include "mesh/a.h"\n#include "lod/b.h"\n',
+  "src/app/commands/a.cpp": '#include "tank/a.h"\n#include "mesh/a.h"\n#include "lod/b.h"\n#include "app/state/a.h"\n#include "app/commands/b.h"\n',
   "src/legacygl/backend/es3_functions.cpp": "#include <GLES3/gl3.h>\n",
-  "src/legacygl/a.cpp": "#include <GL/gl.h>\nvoid f() { glEnable(1); }\n",
+  "src/legacygl/entry/a.cpp": "#include <GL/gl.h>\nvoid f() { glEnable(1); }\n",
   "src/scene/a.cpp": '#include "app/a.h"\n#include <GL/glu.h>\nvoid f() { glEnd(); gluLookAt(); }\n',
-  "src/platform/a.cpp": '#include "legacygl/a.h"\n#include "scene/a.h"\n#include <SDL.h>\nauto s = "glEnd()";\n',
+  "src/platform/web/a.cpp": '#include "legacygl/a.h"\n#include "scene/a.h"\n#include <SDL.h>\nauto s = "glEnd()";\n',
 };
 
 test("a tree that obeys the table of layers has no violations", () => {
@@ -43,16 +43,28 @@ test("a tree that obeys the table of layers has no violations", () => {
 const VIOLATIONS = {
   "one of the five includes another": ["src/collision/a.cpp", '#include "mesh/a.h"', /collision\/ may not include mesh\//],
   "a lower layer includes a higher one": ["src/tank/a.cpp", '#include "app/a.h"', /tank\/ may not include app\//],
-  "legacygl knows of tanks": ["src/legacygl/a.cpp", '#include "tank/a.h"', /legacygl\/ may not include tank\//],
+  "legacygl knows of tanks": ["src/legacygl/draw/a.cpp", '#include "tank/a.h"', /legacygl\/ may not include tank\//],
   "scene knows which renderer it has": ["src/scene/a.cpp", '#include "legacygl/a.h"', /scene\/ may not include legacygl\//],
-  "an include is not rooted at src/": ["src/app/a.cpp", '#include "b.h"', /not rooted at src/],
-  "app includes OpenGL": ["src/app/a.cpp", "#include <GL/gl.h>", /app\/ may not include <GL\/gl\.h>/],
+  "an include is not rooted at src/": ["src/app/state/a.cpp", '#include "b.h"', /not rooted at src/],
+  "app includes OpenGL": ["src/app/state/a.cpp", "#include <GL/gl.h>", /app\/ may not include <GL\/gl\.h>/],
   "scene includes SDL": ["src/scene/a.cpp", "#include <SDL.h>", /may not include <SDL\.h>/],
-  "a file of legacygl outside its backend includes OpenGL ES": ["src/legacygl/a.cpp", "#include <GLES3/gl3.h>", /only src\/legacygl\/backend/],
-  "platform includes WebGL": ["src/platform/a.cpp", "#include <webgl/webgl1.h>", /only src\/legacygl\/backend/],
-  "platform calls OpenGL": ["src/platform/a.cpp", "void f() { glFlush(); }", /\(glFlush\)/],
-  "app calls GLU, globally qualified": ["src/app/a.cpp", "void f() { ::gluLookAt (1); }", /\(gluLookAt\)/],
+  "a file of legacygl outside its backend includes OpenGL ES": ["src/legacygl/draw/a.cpp", "#include <GLES3/gl3.h>", /only src\/legacygl\/backend/],
+  "platform includes WebGL": ["src/platform/web/a.cpp", "#include <webgl/webgl1.h>", /only src\/legacygl\/backend/],
+  "platform calls OpenGL": ["src/platform/web/a.cpp", "void f() { glFlush(); }", /\(glFlush\)/],
+  "app calls GLU, globally qualified": ["src/app/state/a.cpp", "void f() { ::gluLookAt (1); }", /\(gluLookAt\)/],
   "a folder is in no table": ["src/sound/a.cpp", "", /does not know src\/sound\//],
+  "a room includes one of a higher floor": [
+    "src/app/state/a.cpp",
+    '#include "app/commands/a.h"',
+    /app\/state\/ may not include app\/commands\//,
+  ],
+  "a room includes another of its floor": [
+    "src/legacygl/list/a.cpp",
+    '#include "legacygl/state/a.h"',
+    /legacygl\/list\/ may not include legacygl\/state\//,
+  ],
+  "a file lies beside the rooms of its folder": ["src/app/b.cpp", "", /no floor of src\/app\/ has the room/],
+  "a folder has a room that is on no floor": ["src/app/attic/b.cpp", "", /no floor of src\/app\/ has the room/],
 };
 for (const [name, [file, line, expected]] of Object.entries(VIOLATIONS)) {
   test(`a violation is found: ${name}`, () => {
@@ -69,7 +81,7 @@ test("comments and strings are no code, whatever they hold", () => {
 });
 
 test("a member function whose name begins with gl is no call of OpenGL", () => {
-  assert.deepEqual(violations(checkLayers, { "src/app/a.cpp": "void f() { a.glX(); b->glY(); C::glZ(); }\n" }), []);
+  assert.deepEqual(violations(checkLayers, { "src/app/state/a.cpp": "void f() { a.glX(); b->glY(); C::glZ(); }\n" }), []);
 });
 
 test("a registry's host is found in any file, in any case", () => {
@@ -90,7 +102,7 @@ test("code that clang-format would change is found, and only that; writing lays 
 
 test("the exit status is 1 for violations, 0 for none, 2 for a check that is not known", () => {
   const run = (check, files) => withTree(files, (root) => spawnSync(process.execPath, [SCRIPT, check, root]).status);
-  assert.equal(run("layers", { ...OBEYS, "src/app/z.cpp": '#include "scene/a.h"\n' }), 1);
+  assert.equal(run("layers", { ...OBEYS, "src/app/state/z.cpp": '#include "scene/a.h"\n' }), 1);
   assert.equal(run("layers", OBEYS), 0);
   assert.equal(run("nonsense", OBEYS), 2);
 });

@@ -1,8 +1,8 @@
 // The attribute stacks: state after glPopAttrib is what it was before glPushAttrib.
 
 #define GL_GLEXT_PROTOTYPES
-#include "legacygl/capabilities.h"
-#include "legacygl/state_variables.h"
+#include "legacygl/state/capabilities.h"
+#include "legacygl/state/state_variables.h"
 #include "recorded_gl.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 // Front and back on a real OpenGL ES 3: what is drawn where, what present and resize do with it.
 
-#include "platform/egl_context.h"
+#include "platform/offscreen/egl_context.h"
 
 #include <legacygl/legacygl.h>
 

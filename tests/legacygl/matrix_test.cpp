@@ -1,4 +1,4 @@
-#include "legacygl/matrix.h"
+#include "legacygl/state/matrix.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // How the values of pixels become bytes.
 
-#include "legacygl/pixel_format.h"
+#include "legacygl/pixel/pixel_format.h"
 
 #include <gtest/gtest.h>
 

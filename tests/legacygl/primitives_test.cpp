@@ -1,4 +1,4 @@
-#include "legacygl/primitives.h"
+#include "legacygl/vertex/primitives.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #define GL_GLEXT_PROTOTYPES
 #include "random_gl/random_stream.h"
 
-#include "platform/egl_context.h"
+#include "platform/offscreen/egl_context.h"
 
 #include <legacygl/legacygl.h>
 

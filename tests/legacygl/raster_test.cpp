@@ -1,8 +1,8 @@
 // What the CPU makes of polygons, lines and points that ES cannot draw itself.
 
 #define GL_GLEXT_PROTOTYPES
-#include "legacygl/pixel_conversion.h"
-#include "legacygl/stipple_image.h"
+#include "legacygl/pixel/pixel_conversion.h"
+#include "legacygl/pixel/stipple_image.h"
 #include "recorded_gl.h"
 
 #include <algorithm>

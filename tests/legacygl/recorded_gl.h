@@ -1,7 +1,7 @@
 #pragma once
 
 #include "legacygl/backend/recording_backend.h"
-#include "legacygl/context.h"
+#include "legacygl/context/context.h"
 
 #include <GL/gl.h>
 #include <GL/glu.h>

@@ -1,4 +1,4 @@
-#include "legacygl/shader_text.h"
+#include "legacygl/shader/shader_text.h"
 #include "recorded_gl.h"
 
 #include <unordered_set>

@@ -98,7 +98,7 @@ TEST(LevelSelectorTest, NoTremblingWithinTheBandEverSwitches)
 TEST(LevelSelectorTest, ACrossingThatTremblesSwitchesOnce)
 {
     // A walk outwards that goes back by up to a band's width at every step.
-    const SwitchBand band = band_by_metres(D, 2.0);
+    const SwitchBand band = band_by_fraction(D, 2.0 / D);
     std::mt19937_64 random(2);
     for (int walk = 0; walk < 300; ++walk) {
         std::vector<double> distances;
@@ -134,20 +134,6 @@ TEST(LevelSelectorTest, BetweenTwoSwitchesLiesTheWholeBand)
         }
         ASSERT_GT(count, 10);
     }
-}
-
-TEST(LevelSelectorTest, ForcingShowsOneLevelAndForgetsNothing)
-{
-    const SwitchBand band = band_by_fraction(D);
-    LevelSelector selector;
-    EXPECT_EQ(selector.shown(Forced::none), Level::high);
-    EXPECT_EQ(selector.shown(Forced::low), Level::low);
-    EXPECT_EQ(selector.shown(Forced::high), Level::high);
-    selector.update(D * 2, band);
-    EXPECT_EQ(selector.shown(Forced::high), Level::high);
-    EXPECT_EQ(selector.shown(Forced::none), Level::low); // let go: as far away as it is
-    selector.update(D, band);
-    EXPECT_EQ(selector.shown(Forced::none), Level::low); // it came from afar
 }
 
 } // namespace

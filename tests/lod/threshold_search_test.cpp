@@ -15,37 +15,6 @@ PictureDifference difference(bool is_shown)
     return {.tank_pixels = 1000, .differing = is_shown ? 51u : 50u, .largest = 200};
 }
 
-DistanceSample sample(double distance, bool is_shown)
-{
-    return {distance, difference(is_shown)};
-}
-
-TEST(ThresholdFromSamplesTest, TheLastSampleWithADifferenceDecides)
-{
-    const std::vector<DistanceSample> samples{sample(10, true), sample(20, false), sample(30, false),
-                                              sample(40, true), sample(50, false), sample(60, false)};
-    EXPECT_EQ(threshold_from(samples, CRITERION), (ThresholdResult{ThresholdOutcome::found, 50}));
-}
-
-TEST(ThresholdFromSamplesTest, TheirOrderDoesNotMatterNorSamplesWithoutADistance)
-{
-    std::vector<DistanceSample> samples{sample(60, false), sample(40, true),  sample(10, true),
-                                        sample(50, false), sample(20, false), sample(40, false)};
-    samples.push_back(sample(std::numeric_limits<double>::quiet_NaN(), true));
-    samples.push_back(sample(std::numeric_limits<double>::infinity(), true));
-    EXPECT_EQ(threshold_from(samples, CRITERION), (ThresholdResult{ThresholdOutcome::found, 50}));
-}
-
-TEST(ThresholdFromSamplesTest, ItSaysWhenThereIsNone)
-{
-    EXPECT_EQ(threshold_from({}, CRITERION).outcome, ThresholdOutcome::not_measured);
-    const std::vector<DistanceSample> nowhere{sample(30, false), sample(20, false)};
-    EXPECT_EQ(threshold_from(nowhere, CRITERION), (ThresholdResult{ThresholdOutcome::shows_nowhere, 20}));
-    const std::vector<DistanceSample> everywhere{sample(10, false), sample(20, true)};
-    EXPECT_EQ(threshold_from(everywhere, CRITERION),
-              (ThresholdResult{ThresholdOutcome::shows_everywhere, 0}));
-}
-
 TEST(ThresholdSearchTest, FindsAnyEdgeToTheResolution)
 {
     std::mt19937_64 random(1);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/image.h"
+#include "image/image.h"
 #include "mesh/normals.h"
 #include "mesh/obj_mesh.h"
 #include "mesh/obj_reader.h"
@@ -48,10 +48,10 @@ inline std::string broken_invariant(const mesh::ObjMesh& m)
     return m.faces.size() > mesh::max_obj_triangles ? "there are too many faces" : "";
 }
 
-inline std::string broken_invariant(const mesh::Image& image)
+inline std::string broken_invariant(const image::Image& image)
 {
-    if (image.width < 1 || image.height < 1 || image.width > mesh::max_image_side ||
-        image.height > mesh::max_image_side)
+    if (image.width < 1 || image.height < 1 || image.width > image::max_image_side ||
+        image.height > image::max_image_side)
         return "the size is out of range";
     if (image.channels != 3 && image.channels != 4)
         return "there are neither 3 nor 4 channels";
@@ -61,7 +61,7 @@ inline std::string broken_invariant(const mesh::Image& image)
     return "";
 }
 
-inline std::string broken_invariant(const mesh::ReadError& error, int line_count)
+inline std::string broken_invariant(const base::ReadError& error, int line_count)
 {
     if (error.cause.size() < 10)
         return "the cause is no sentence";

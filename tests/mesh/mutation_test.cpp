@@ -1,4 +1,4 @@
-#include "mesh/image.h"
+#include "image/image.h"
 #include "mesh/obj_reader.h"
 #include "tests/mesh/invariants.h"
 #include "tests/mesh/sample_files.h"
@@ -72,7 +72,7 @@ TEST(Mutations, OfAnObjAreReadOrRefusedInASentence)
     for (int i = 0; i < 5000; ++i) {
         const Bytes bytes = mutator.damaged(original);
         const std::string text(bytes.begin(), bytes.end());
-        const mesh::Result<mesh::ObjMesh> result = mesh::read_obj("cube.obj", text);
+        const base::Result<mesh::ObjMesh> result = mesh::read_obj("cube.obj", text);
         const int lines =
             1 + int(std::count(text.begin(), text.end(), '\n') + std::count(text.begin(), text.end(), '\r'));
         ASSERT_EQ(result ? broken_invariant(result.value()) : broken_invariant(result.error(), lines), "")
@@ -101,7 +101,7 @@ TEST(Mutations, OfImagesAreReadOrRefusedInASentence)
     int refused = 0;
     for (int i = 0; i < 6000; ++i) {
         const Bytes bytes = mutator.damaged(originals[std::size_t(i) % originals.size()]);
-        const mesh::Result<mesh::Image> result = mesh::read_image("texture", bytes);
+        const base::Result<image::Image> result = image::read_image("texture", bytes);
         ASSERT_EQ(result ? broken_invariant(result.value()) : broken_invariant(result.error(), 0), "") << i;
         ++(result ? read : refused);
     }

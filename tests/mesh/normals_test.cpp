@@ -11,7 +11,7 @@ using mesh::ObjMesh;
 
 ObjMesh read(const std::string& text)
 {
-    mesh::Result<ObjMesh> result = mesh::read_obj("test.obj", text);
+    base::Result<ObjMesh> result = mesh::read_obj("test.obj", text);
     EXPECT_TRUE(result) << (result ? "" : result.error().message());
     return result ? std::move(result).value() : ObjMesh{};
 }

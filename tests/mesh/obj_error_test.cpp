@@ -11,7 +11,7 @@ constexpr const char* corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 /// Reads a text that must be refused, and returns the message, "test.obj:LINE: CAUSE".
 std::string refusal(const std::string& text)
 {
-    const mesh::Result<mesh::ObjMesh> result = mesh::read_obj("test.obj", text);
+    const base::Result<mesh::ObjMesh> result = mesh::read_obj("test.obj", text);
     if (result)
         return "was read";
     const auto is_line_end = [](char c) { return c == '\n' || c == '\r'; };

@@ -111,7 +111,7 @@ TEST(ReadObjProperty, GivesBackAnyMeshInAnyStyleOfWriting)
     for (unsigned seed = 1; seed <= 1000; ++seed) {
         Writer writer(seed);
         const ObjMesh written = writer.write_mesh();
-        const mesh::Result<ObjMesh> read = mesh::read_obj("random.obj", writer.text());
+        const base::Result<ObjMesh> read = mesh::read_obj("random.obj", writer.text());
         ASSERT_TRUE(read) << read.error().message() << " in\n" << writer.text();
         EXPECT_EQ(read.value().positions, written.positions);
         EXPECT_EQ(read.value().normals, written.normals);
@@ -139,7 +139,7 @@ TEST(ReadObjProperty, KeepsItsPromisesForAnyPolygonsWithoutNormals)
             text += '\n';
             triangles += corners - 2;
         }
-        const mesh::Result<ObjMesh> read = mesh::read_obj("random.obj", text);
+        const base::Result<ObjMesh> read = mesh::read_obj("random.obj", text);
         ASSERT_TRUE(read) << read.error().message();
         ASSERT_EQ(broken_invariant(read.value()), "") << text;
         ASSERT_EQ(read.value().faces.size(), triangles);

@@ -13,7 +13,7 @@ using mesh::ObjMesh;
 
 ObjMesh read(std::string_view text)
 {
-    mesh::Result<ObjMesh> result = mesh::read_obj("test.obj", text);
+    base::Result<ObjMesh> result = mesh::read_obj("test.obj", text);
     EXPECT_TRUE(result) << (result ? "" : result.error().message());
     if (!result)
         return {};

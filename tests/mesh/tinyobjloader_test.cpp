@@ -13,7 +13,7 @@ namespace {
 
 void expect_same_as_tinyobjloader(const std::string& text)
 {
-    const mesh::Result<mesh::ObjMesh> ours = mesh::read_obj("test.obj", text);
+    const base::Result<mesh::ObjMesh> ours = mesh::read_obj("test.obj", text);
     ASSERT_TRUE(ours) << ours.error().message();
     const mesh::ObjMesh& m = ours.value();
 
@@ -102,7 +102,7 @@ std::string random_triangles(unsigned seed)
 
 TEST(AgainstTinyobjloader, ReadsTheSampleCubesTriangles)
 {
-    const mesh::Result<mesh::ObjMesh> cube = mesh::read_obj("cube.obj", sample_obj());
+    const base::Result<mesh::ObjMesh> cube = mesh::read_obj("cube.obj", sample_obj());
     ASSERT_TRUE(cube);
     expect_same_as_tinyobjloader(written_obj(cube.value()));
 }

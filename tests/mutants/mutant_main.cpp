@@ -1,8 +1,8 @@
 // Runs the check of a task on a program with a fault in it: mutant_ID TASK FAULT. The check has to fail; the
 // exit status is 0 then. With no fault given it has to pass.
-#include "platform/asset_files.h"
-#include "platform/checks.h"
-#include "platform/offscreen_target.h"
+#include "checks/checks.h"
+#include "platform/files/asset_files.h"
+#include "platform/offscreen/offscreen_target.h"
 #include "scene/scene_renderer.h"
 
 #include <cstdio>
@@ -20,7 +20,7 @@ int main(int argument_count, char** arguments)
     std::string error;
     const std::unique_ptr<platform::OffscreenTarget> target =
         platform::open_offscreen_target(SIDE, SIDE, error);
-    app::Assets assets;
+    assets::Assets assets;
     if (error.empty()) {
         error = platform::read_asset_folder(ASSETS, assets);
     }
@@ -32,7 +32,7 @@ int main(int argument_count, char** arguments)
         std::fprintf(stderr, "%s\n", error.c_str());
         return 2;
     }
-    const auto result = platform::run_check(arguments[1], {assets, renderer, SIDE, SIDE});
+    const auto result = checks::run_check(arguments[1], {assets, renderer, SIDE, SIDE});
     if (!result) {
         std::fprintf(stderr, "Task %s has no check.\n", arguments[1]);
         return 2;

@@ -31,7 +31,7 @@ endfunction()
 
 # Calls tanklab_mutant for each. Definitions of that function differ; the list is this one.
 macro(tanklab_for_each_mutant)
-  tanklab_mutant(1.1a scene/draw_tank.cpp "The turret does not carry the main gun."
+  tanklab_mutant(1.1a scene/tank/draw_tank.cpp "The turret does not carry the main gun."
     [=[    glPushMatrix();
     glTranslatef(placement.pivot.x]=]
     [=[    glPushMatrix();
@@ -39,17 +39,17 @@ macro(tanklab_for_each_mutant)
         glRotatef(-degrees(joints_[tank::Joint::turret]), 0.0f, 1.0f, 0.0f);
     }
     glTranslatef(placement.pivot.x]=])
-  tanklab_mutant(1.1b scene/draw_tank.cpp "The last wheel is not drawn."
+  tanklab_mutant(1.1b scene/tank/draw_tank.cpp "The last wheel is not drawn."
     [=[if (parts_.contains(tank::index_of(part))) {]=]
     [=[if (parts_.contains(tank::index_of(part)) && part != tank::Part::wheel_right_7) {]=])
-  tanklab_mutant(1.2a scene/draw_tank.cpp "The main gun turns to the side instead of up."
+  tanklab_mutant(1.2a scene/tank/draw_tank.cpp "The main gun turns to the side instead of up."
     [=[placement.axis.x, placement.axis.y, placement.axis.z);]=]
     [=[part == tank::Part::main_gun ? 0.0f : placement.axis.x,
               part == tank::Part::main_gun ? 1.0f : placement.axis.y, placement.axis.z);]=])
-  tanklab_mutant(1.2b scene/draw_tank.cpp "The wheels turn backwards."
+  tanklab_mutant(1.2b scene/tank/draw_tank.cpp "The wheels turn backwards."
     [=[glRotatef(degrees(joints_[placement.joint]),]=]
     [=[glRotatef((part >= tank::Part::wheel_left_1 ? -1.0f : 1.0f) * degrees(joints_[placement.joint]),]=])
-  tanklab_mutant(1.3a scene/tank_lists.cpp "The list of one mesh is empty."
+  tanklab_mutant(1.3a scene/tank/tank_lists.cpp "The list of one mesh is empty."
     [=[        draw(objs[i]);]=]
     [=[        if (i != 3) {
             draw(objs[i]);
@@ -58,10 +58,10 @@ macro(tanklab_for_each_mutant)
     [=[    use_tank_material();]=]
     [=[    use_tank_material();
     const_cast<TankLists&>(tank_lists_).load_tank_objs(assets_->high);]=])
-  tanklab_mutant(1.4a scene/draw_obj.cpp "Normals are looked up by the position's index."
+  tanklab_mutant(1.4a scene/tank/draw_obj.cpp "Normals are looked up by the position's index."
     [=[obj.normals[corner.normal];]=]
     [=[obj.normals[static_cast<std::size_t>(corner.position) % obj.normals.size()];]=])
-  tanklab_mutant(1.4b scene/draw_obj.cpp "The texture is upside down."
+  tanklab_mutant(1.4b scene/tank/draw_obj.cpp "The texture is upside down."
     [=[glTexCoord2f(texture_coordinate.x, texture_coordinate.y);]=]
     [=[glTexCoord2f(texture_coordinate.x, 1.0f - texture_coordinate.y);]=])
 
@@ -83,10 +83,10 @@ macro(tanklab_for_each_mutant)
   tanklab_mutant(2.3b collision/sphere_hierarchy.cpp "A squared distance is compared with a radius."
     [=[-1.0 : reach * reach};]=]
     [=[-1.0 : reach};]=])
-  tanklab_mutant(2.4a scene/spheres.cpp "Penetrated spheres are opaque."
+  tanklab_mutant(2.4a scene/markers/spheres.cpp "Penetrated spheres are opaque."
     [=[(sphere.is_root ? ROOT_OPACITY : PART_OPACITY).*use);]=]
     [=[255);]=])
-  tanklab_mutant(2.4b scene/spheres.cpp "Penetrated spheres are drawn with a radius of one metre."
+  tanklab_mutant(2.4b scene/markers/spheres.cpp "Penetrated spheres are drawn with a radius of one metre."
     [=[shapes.draw_sphere(sphere.centre, sphere.radius);]=]
     [=[shapes.draw_sphere(sphere.centre, 1.0);]=])
   tanklab_mutant(2.5a collision/sphere_hierarchy.cpp "A segment has no ends."
@@ -102,20 +102,20 @@ macro(tanklab_for_each_mutant)
     [=[return {glm::dvec3{settings_.gravity} +]=]
     [=[return {glm::dvec3{0.0} +]=])
 
-  tanklab_mutant(3.1a scene/draw_tank.cpp "The low tank's joints stay at rest."
+  tanklab_mutant(3.1a scene/tank/draw_tank.cpp "The low tank's joints stay at rest."
     [=[    const Disabled texture(GL_TEXTURE_2D);
     draw_at(]=]
     [=[    const Disabled texture(GL_TEXTURE_2D);
     const tank::JointAngles rest{};
     TankDrawing(lists_, layout_, rest, parts_).draw_at(]=])
-  tanklab_mutant(3.1b scene/draw_tank.cpp "The low tank is lit."
+  tanklab_mutant(3.1b scene/tank/draw_tank.cpp "The low tank is lit."
     [=[    const Disabled lighting(GL_LIGHTING);
 ]=]
     "")
   tanklab_mutant(3.2a scene/scene_renderer.cpp "The far plane is where the handout has it."
     [=[                   camera.far_plane);]=]
     [=[                   100.0);]=])
-  tanklab_mutant(3.2b scene/draw_low_obj.cpp "The low tank is white."
+  tanklab_mutant(3.2b scene/tank/draw_low_obj.cpp "The low tank is white."
     [=[glColor3ub(colour.red, colour.green, colour.blue);]=]
     [=[glColor3ub(255, 255, 255);]=])
   tanklab_mutant(3.3a lod/level_selector.cpp "The level has no memory."

@@ -5,7 +5,7 @@
 // drew without an error.
 
 #include "drawing.h"
-#include "platform/offscreen_target.h"
+#include "platform/offscreen/offscreen_target.h"
 
 #include <GL/gl.h>
 

@@ -1,4 +1,4 @@
-#include "platform/fixed_step_clock.h"
+#include "platform/program/fixed_step_clock.h"
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
-#include "platform/input.h"
+#include "platform/input/input.h"
 
-#include "app/camera_view.h"
-#include "app/commands.h"
-#include "app/simulation.h"
-#include "platform/asset_files.h"
+#include "app/commands/commands.h"
+#include "app/simulation/simulation.h"
+#include "app/view/camera_view.h"
+#include "platform/files/asset_files.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@ namespace {
 
 constexpr platform::WindowSize WINDOW{800, 600};
 
-const app::Assets& own_assets()
+const assets::Assets& own_assets()
 {
-    static const app::Assets ASSETS_READ = [] {
-        app::Assets assets;
+    static const assets::Assets ASSETS_READ = [] {
+        assets::Assets assets;
         EXPECT_EQ(platform::read_asset_folder(ASSETS, assets), "");
         return assets;
     }();

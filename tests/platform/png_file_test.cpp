@@ -1,6 +1,6 @@
-#include "platform/png_file.h"
+#include "platform/files/png_file.h"
 
-#include "mesh/image.h"
+#include "image/image.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(PngFile, HoldsThePixelsWithTheFirstRowAtTheBottom)
 
     const std::string png = platform_test::read_file(path);
     const auto image =
-        mesh::read_image(path, {reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+        image::read_image(path, {reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
     ASSERT_TRUE(image);
     EXPECT_EQ(image.value().channels, 3);
     EXPECT_EQ(image.value().pixels, // read_image gives the bottom row first, too

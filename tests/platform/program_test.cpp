@@ -1,11 +1,11 @@
-#include "platform/program.h"
+#include "platform/program/program.h"
 
-#include "app/links.h"
-#include "app/users_tank.h"
+#include "app/links/links.h"
+#include "assets/users_tank.h"
 #include "original_set.h"
-#include "platform/asset_files.h"
-#include "platform/offscreen_target.h"
-#include "scene/read_pixels.h"
+#include "platform/files/asset_files.h"
+#include "platform/offscreen/offscreen_target.h"
+#include "scene/drawing/read_pixels.h"
 
 #include <memory>
 
@@ -25,7 +25,7 @@ protected:
         std::string error;
         target = platform::open_offscreen_target(WIDTH, HEIGHT, error);
         ASSERT_EQ(error, "");
-        app::Assets assets;
+        assets::Assets assets;
         ASSERT_EQ(platform::read_asset_folder(ASSETS, assets), "");
         ASSERT_EQ(program.start(std::move(assets)), "");
     }
@@ -65,9 +65,10 @@ TEST_F(Program, ShowsATankThatIsBroughtAndOursAgain)
     program.command("turret", 20.0);
     program.draw_if_changed(WIDTH, HEIGHT);
     const auto ours = scene::read_pixels(WIDTH, HEIGHT);
-    const app::Files files = app::original_set();
+    const assets::Files files = assets::original_set();
     for (int time = 0; time < 2; ++time) { // the second one takes the place of the first
-        ASSERT_EQ(program.bring(app::read_users_tank(files.views()).value().assets), "");
+        ASSERT_EQ(program.bring(assets::read_users_tank(files.views(), assets::PAINT_VIEW).value().assets),
+                  "");
         EXPECT_EQ(app::link(program.state()), "turret=20&tank=own");
         EXPECT_TRUE(program.draw_if_changed(WIDTH, HEIGHT));
         EXPECT_NE(ours, scene::read_pixels(WIDTH, HEIGHT));
@@ -84,8 +85,8 @@ TEST_F(Program, KeepsTheTankWhenOpenGlRefusesAnother)
 {
     program.draw_if_changed(WIDTH, HEIGHT);
     const auto ours = scene::read_pixels(WIDTH, HEIGHT);
-    const app::Files files = app::original_set();
-    app::Assets assets = app::read_users_tank(files.views()).value().assets;
+    const assets::Files files = assets::original_set();
+    assets::Assets assets = assets::read_users_tank(files.views(), assets::PAINT_VIEW).value().assets;
     assets.texture = {
         .width = 1 << 17, .height = 1, .channels = 3, .pixels = std::vector<std::uint8_t>(3u << 17)};
     EXPECT_NE(program.bring(std::move(assets)).find("OpenGL could not take"), std::string::npos);

@@ -2,7 +2,7 @@
 #include "process.h"
 #include "temporary_folder.h"
 
-#include "mesh/image.h"
+#include "image/image.h"
 #include "original_set.h"
 
 #include <cstdint>
@@ -52,10 +52,10 @@ protected:
     }
 
     /// Writes a set like the lab's into a folder in `name` and returns the outermost one.
-    std::string made_set(const std::string& name, const app::OriginalSetOptions& options)
+    std::string made_set(const std::string& name, const assets::OriginalSetOptions& options)
     {
-        const app::Files files = app::original_set(options);
-        for (const app::AssetFile& file : files.views()) {
+        const assets::Files files = assets::original_set(options);
+        for (const assets::AssetFile& file : files.views()) {
             const fs::path path = folder.path() / name / file.name;
             fs::create_directories(path.parent_path());
             write_file(path, {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()});
@@ -84,7 +84,7 @@ TEST_F(Render, DrawsAPictureOfTheSizeAskedFor)
         EXPECT_EQ(finished.err, "");
         const std::string png = read_file(picture());
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(png.data());
-        const auto image = mesh::read_image("picture.png", {bytes, png.size()});
+        const auto image = image::read_image("picture.png", {bytes, png.size()});
         ASSERT_TRUE(image);
         EXPECT_EQ(image.value().width, 37);
         EXPECT_EQ(image.value().height, 21);

@@ -1,7 +1,7 @@
-#include "scene/draw_low_obj.h"
+#include "scene/tank/draw_low_obj.h"
 
 #include "recording_gl.h"
-#include "scene/lights.h"
+#include "scene/drawing/lights.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -30,13 +30,13 @@ mesh::ObjMesh two_faces(const glm::vec3& first, const glm::vec3& second)
     return obj;
 }
 
-app::FacePaint of_one_colour(const glm::vec3& colour)
+assets::FacePaint of_one_colour(const glm::vec3& colour)
 {
     return {colour, colour, colour};
 }
 
 /// Returns the colour of each vertex, of 255.
-std::vector<glm::vec3> colours(const mesh::ObjMesh& obj, const std::vector<app::FacePaint>& paint,
+std::vector<glm::vec3> colours(const mesh::ObjMesh& obj, const std::vector<assets::FacePaint>& paint,
                                const scene::LowPose& pose)
 {
     recording_gl::reset();
@@ -64,8 +64,8 @@ TEST(DrawLowObj, ColoursEachCornerByPaintTimesLight)
 {
     const glm::vec3 up(0, 3, 0);
     const glm::vec3 down(0, -0.5f, 0);
-    const std::vector<app::FacePaint> paint = {{{{0.5f, 0.4f, 0.3f}, {0.1f, 0.2f, 0.3f}, {0.6f, 0.5f, 0.4f}}},
-                                               of_one_colour({0.9f, 0.8f, 0.7f})};
+    const std::vector<assets::FacePaint> paint = {
+        {{{0.5f, 0.4f, 0.3f}, {0.1f, 0.2f, 0.3f}, {0.6f, 0.5f, 0.4f}}}, of_one_colour({0.9f, 0.8f, 0.7f})};
     const std::vector<glm::vec3> found =
         colours(two_faces(up, down), paint, {.yaw = 1.0, .turns_about_x = false});
     ASSERT_EQ(found.size(), 6u);
@@ -77,7 +77,7 @@ TEST(DrawLowObj, ColoursEachCornerByPaintTimesLight)
 
 TEST(DrawLowObj, IsLitAsItsYawTurnsItToTheSun)
 {
-    const std::vector<app::FacePaint> paint(2, of_one_colour(glm::vec3(1.0f)));
+    const std::vector<assets::FacePaint> paint(2, of_one_colour(glm::vec3(1.0f)));
     const double to_sun = std::atan2(double(scene::TO_SUN.x), double(scene::TO_SUN.z));
     const mesh::ObjMesh ahead_and_back = two_faces({0, 0, 1}, {0, 0, -1});
     const std::vector<glm::vec3> towards =
@@ -91,7 +91,7 @@ TEST(DrawLowObj, IsLitAsItsYawTurnsItToTheSun)
 
 TEST(DrawLowObj, LightsAWheelTheSameAllRound)
 {
-    const std::vector<app::FacePaint> paint(2, of_one_colour(glm::vec3(1.0f)));
+    const std::vector<assets::FacePaint> paint(2, of_one_colour(glm::vec3(1.0f)));
     const mesh::ObjMesh rim = two_faces({0, 1, 0}, {0, -1, 0});
     const std::vector<glm::vec3> wheel = colours(rim, paint, {.yaw = 0.3, .turns_about_x = true});
     EXPECT_LT(glm::distance(wheel[0], wheel[3]), 2.0f);

@@ -1,4 +1,4 @@
-#include "scene/draw_obj.h"
+#include "scene/tank/draw_obj.h"
 
 #include "fixtures.h"
 #include "recording_gl.h"

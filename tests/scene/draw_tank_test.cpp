@@ -1,4 +1,4 @@
-#include "scene/draw_tank.h"
+#include "scene/tank/draw_tank.h"
 
 #include "fixtures.h"
 #include "recording_gl.h"
@@ -108,7 +108,7 @@ TEST_F(DrawTank, PutsEveryPartWherePartMatricesPutIt)
 
 TEST_F(DrawTank, DrawsTheLinksOfEachSideWithTheBodyWhereItsWheelsHaveTurnedThem)
 {
-    const app::Assets with_links = scene_test::assets_with_links();
+    const assets::Assets with_links = scene_test::assets_with_links();
     ASSERT_TRUE(lists.load_tank_objs(with_links.high, with_links.track_links));
     recording_gl::take_calls();
     const double pitch = 2.0 * std::numbers::pi / with_links.track_links.per_turn;
@@ -119,10 +119,10 @@ TEST_F(DrawTank, DrawsTheLinksOfEachSideWithTheBodyWhereItsWheelsHaveTurnedThem)
     ASSERT_EQ(replay.list_calls.size(), tank::PART_COUNT + 2);
     EXPECT_LE(replay.list_calls.size(), 25u); // draw calls that a tank may take
     EXPECT_EQ(replay.list_calls[0].list, lists.list(tank::MeshKind::body));
-    EXPECT_EQ(replay.list_calls[1].list, lists.track_list(app::Side::left, 0.3 * pitch));
-    EXPECT_EQ(replay.list_calls[2].list, lists.track_list(app::Side::right, -0.4 * pitch));
-    EXPECT_NE(replay.list_calls[1].list, lists.track_list(app::Side::left, 0.0));
-    EXPECT_NE(replay.list_calls[2].list, lists.track_list(app::Side::right, 0.0));
+    EXPECT_EQ(replay.list_calls[1].list, lists.track_list(assets::Side::left, 0.3 * pitch));
+    EXPECT_EQ(replay.list_calls[2].list, lists.track_list(assets::Side::right, -0.4 * pitch));
+    EXPECT_NE(replay.list_calls[1].list, lists.track_list(assets::Side::left, 0.0));
+    EXPECT_NE(replay.list_calls[2].list, lists.track_list(assets::Side::right, 0.0));
     EXPECT_EQ(replay.list_calls[1].modelview, replay.list_calls[0].modelview);
     EXPECT_EQ(replay.list_calls[2].modelview, replay.list_calls[0].modelview);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/assets.h"
-#include "app/frame.h"
+#include "app/view/frame.h"
+#include "assets/assets.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -38,9 +38,9 @@ inline mesh::ObjMesh mesh_of(int faces, bool textured = true)
 
 /// Returns such a set whose body has a chain of three links on each side, a face each, and a fourth face that
 /// rests.
-inline app::Assets assets_with_links()
+inline assets::Assets assets_with_links()
 {
-    app::Assets all{.layout = tank::default_layout(), .high = {}, .low = {}, .texture = {}};
+    assets::Assets all{.layout = tank::default_layout(), .high = {}, .low = {}, .texture = {}};
     for (std::size_t i = 0; i < tank::MESH_KIND_COUNT; ++i) {
         all.high[i] = mesh_of(1);
         all.low[i] = mesh_of(1, false);
@@ -52,14 +52,14 @@ inline app::Assets assets_with_links()
         body.groups.push_back({name + std::to_string(link % 3), 1 + link, 1});
     }
     all.texture = {.width = 1, .height = 1, .channels = 3, .pixels = {1, 2, 3}};
-    app::measure(all);
+    assets::measure(all);
     return all;
 }
 
 /// Returns a whole set of tiny meshes, each of another size, and a texture of 3 x 2 pixels.
-inline app::Assets assets()
+inline assets::Assets assets()
 {
-    app::Assets all{.layout = tank::default_layout(), .high = {}, .low = {}, .texture = {}};
+    assets::Assets all{.layout = tank::default_layout(), .high = {}, .low = {}, .texture = {}};
     for (int i = 0; i < static_cast<int>(tank::MESH_KIND_COUNT); ++i) {
         all.high[static_cast<std::size_t>(i)] = mesh_of(i + 1);
         all.low[static_cast<std::size_t>(i)] = mesh_of(1, false);
@@ -99,7 +99,7 @@ struct Particles
 /// Returns a frame in which there is one of everything that can be drawn: two tanks, spheres of both levels,
 /// penetrated and not, a line with closest points, triangles, a shot, an axis, and particles of both kinds,
 /// which `of` holds.
-inline app::Frame full_frame(const app::Assets& all, const Particles& of)
+inline app::Frame full_frame(const assets::Assets& all, const Particles& of)
 {
     app::State state;
     state.show.detail = app::Detail::both;

@@ -1,4 +1,4 @@
-#include "scene/markers.h"
+#include "scene/markers/markers.h"
 
 #include "fixtures.h"
 #include "recording_gl.h"
@@ -41,7 +41,7 @@ protected:
         return app::make_frame(state, assets);
     }
 
-    app::Assets assets = scene_test::assets();
+    assets::Assets assets = scene_test::assets();
     app::State state;
     scene::Shapes shapes;
     std::vector<Call> calls;

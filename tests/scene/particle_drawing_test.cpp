@@ -1,8 +1,8 @@
-#include "scene/particle_drawing.h"
+#include "scene/particles/particle_drawing.h"
 
 #include "fixtures.h"
 #include "recording_gl.h"
-#include "scene/particle_textures.h"
+#include "scene/particles/particle_textures.h"
 
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -60,7 +60,7 @@ protected:
         return all;
     }
 
-    const app::Assets assets = scene_test::assets();
+    const assets::Assets assets = scene_test::assets();
     app::Frame frame{};
     scene::ParticleDrawing drawing;
     std::vector<Call> calls;
@@ -179,7 +179,7 @@ TEST_F(ParticleDrawing, MakesWhatIsNarrowerThanPixelsFainterInsteadOfNarrower)
 
 TEST(ParticleTextures, FadeTowardsTheirRims)
 {
-    for (const mesh::Image& image : {scene::soft_dot_image(), scene::streak_image()}) {
+    for (const image::Image& image : {scene::soft_dot_image(), scene::streak_image()}) {
         ASSERT_EQ(image.channels, 4);
         const auto alpha = [&](int x, int y) {
             return int(image.pixels[4 * (static_cast<std::size_t>(y * image.width + x)) + 3]);

@@ -1,4 +1,4 @@
-#include "scene/read_pixels.h"
+#include "scene/drawing/read_pixels.h"
 #include "scene_renderer_fixture.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ TEST_F(SceneRenderer, UploadsTheTextureWithFourBytesAPixelAndMipmaps)
 TEST(SceneRendererLoading, KeepsTheAlphaOfATexture)
 {
     recording_gl::reset();
-    app::Assets assets = scene_test::assets();
+    assets::Assets assets = scene_test::assets();
     assets.texture = {.width = 1, .height = 1, .channels = 4, .pixels = {1, 2, 3, 4}};
     scene::SceneRenderer renderer;
     ASSERT_EQ(renderer.load(assets), "");
@@ -46,8 +46,8 @@ TEST(SceneRendererLoading, KeepsTheAlphaOfATexture)
 TEST(SceneRendererLoading, PutsAnotherTankInThePlaceOfTheFirstAndDeletesWhatThatHad)
 {
     recording_gl::reset();
-    const app::Assets first = scene_test::assets();
-    app::Assets second = scene_test::assets();
+    const assets::Assets first = scene_test::assets();
+    assets::Assets second = scene_test::assets();
     second.layout[tank::Part::turret].pivot = {7.0f, 8.0f, 9.0f};
     scene::SceneRenderer renderer;
     ASSERT_EQ(renderer.load(first), "");
@@ -75,7 +75,7 @@ TEST(SceneRendererLoading, DrawsBothSidesOfFacesThatAreNoClosedSurface)
 {
     for (const bool is_one_sided : {true, false}) {
         recording_gl::reset();
-        app::Assets assets = scene_test::assets();
+        assets::Assets assets = scene_test::assets();
         assets.is_one_sided = is_one_sided;
         scene::SceneRenderer renderer;
         ASSERT_EQ(renderer.load(assets), "");
@@ -93,7 +93,7 @@ TEST(SceneRendererLoading, DrawsBothSidesOfFacesThatAreNoClosedSurface)
 
 TEST(SceneRendererLoading, SaysWhatOpenGlRefused)
 {
-    const app::Assets assets = scene_test::assets();
+    const assets::Assets assets = scene_test::assets();
     recording_gl::reset();
     recording_gl::set_error(GL_OUT_OF_MEMORY);
     EXPECT_EQ(scene::SceneRenderer().load(assets),

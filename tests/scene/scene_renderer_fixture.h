@@ -48,7 +48,7 @@ protected:
         return recording_gl::replay(all);
     }
 
-    app::Assets assets = scene_test::assets();
+    assets::Assets assets = scene_test::assets();
     app::State state;
     scene::SceneRenderer renderer;
     std::vector<Call> loading;

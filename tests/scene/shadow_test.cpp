@@ -1,8 +1,8 @@
-#include "scene/shadow.h"
+#include "scene/surroundings/shadow.h"
 
 #include "fixtures.h"
 #include "recording_gl.h"
-#include "scene/lights.h"
+#include "scene/drawing/lights.h"
 #include "tank/part_matrices.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ protected:
         return replay.list_calls;
     }
 
-    app::Assets assets = scene_test::assets();
+    assets::Assets assets = scene_test::assets();
     app::State state;
     scene::TankLists lists;
     recording_gl::Replay replay;
@@ -115,9 +115,9 @@ TEST_F(Shadow, IsThrownByTheSameShapesWhateverTheLevel)
 
 TEST_F(Shadow, IsThrownByTheHighModelWhereThereIsNoLowOne)
 {
-    EXPECT_EQ(scene::shadow_level(assets), app::Level::low);
+    EXPECT_EQ(scene::shadow_level(assets), lod::Level::low);
     assets.has_low_model = false;
-    EXPECT_EQ(scene::shadow_level(assets), app::Level::high);
+    EXPECT_EQ(scene::shadow_level(assets), lod::Level::high);
 }
 
 TEST_F(Shadow, IsThatOfThePartsThatAreDrawn)

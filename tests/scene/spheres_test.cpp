@@ -1,8 +1,8 @@
-#include "scene/spheres.h"
+#include "scene/markers/spheres.h"
 
 #include "fixtures.h"
 #include "recording_gl.h"
-#include "scene/level_colours.h"
+#include "scene/markers/level_colours.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "scene/tank_lists.h"
+#include "scene/tank/tank_lists.h"
 
 #include "fixtures.h"
 #include "recording_gl.h"
@@ -91,13 +91,13 @@ std::size_t vertices_of(unsigned list)
 TEST(TankLists, OfABodyWithLinksHaveThemOnTheirWayInListsOfTheirOwn)
 {
     recording_gl::reset();
-    const app::Assets assets = scene_test::assets_with_links();
+    const assets::Assets assets = scene_test::assets_with_links();
     scene::TankLists lists;
     ASSERT_TRUE(lists.load_tank_objs(assets.high, assets.track_links));
     EXPECT_EQ(vertices_of(lists.list(MeshKind::body)), 3u); // the face that rests
     const double pitch = 2.0 * std::numbers::pi / assets.track_links.per_turn;
     std::set<unsigned> names;
-    for (const app::Side side : {app::Side::left, app::Side::right}) {
+    for (const assets::Side side : {assets::Side::left, assets::Side::right}) {
         for (int step = 0; step < 100; ++step) {
             const unsigned list = lists.track_list(side, pitch * (step / 100.0 + 0.003));
             EXPECT_TRUE(lists.is_track_list(list));
@@ -116,12 +116,12 @@ TEST(TankLists, OfABodyWithoutLinksAreNoMore)
 {
     recording_gl::reset();
     scene::TankLists lists;
-    const app::Assets with = scene_test::assets_with_links();
+    const assets::Assets with = scene_test::assets_with_links();
     ASSERT_TRUE(lists.load_tank_objs(with.high, with.track_links));
-    const unsigned old = lists.track_list(app::Side::left, 0.0);
+    const unsigned old = lists.track_list(assets::Side::left, 0.0);
     recording_gl::take_calls();
     ASSERT_TRUE(lists.load_tank_objs(scene_test::assets().high));
-    EXPECT_EQ(lists.track_list(app::Side::left, 0.0), 0u);
+    EXPECT_EQ(lists.track_list(assets::Side::left, 0.0), 0u);
     EXPECT_FALSE(lists.is_track_list(old));
     EXPECT_EQ(named(recording_gl::calls(), "glEndList").size(), 5u);
     EXPECT_EQ(named(recording_gl::calls(), "glDeleteLists").size(), 2u);

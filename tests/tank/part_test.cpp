@@ -19,21 +19,13 @@ TEST(PartTest, NamesAreThoseOfTheDesignInItsOrder)
     EXPECT_EQ(index_of(Part::wheel_right_7), PART_COUNT - 1);
 }
 
-TEST(PartTest, EveryNameIsItsOwnAndLeadsBack)
+TEST(PartTest, EveryNameIsItsOwn)
 {
     std::set<std::string_view> names;
     for (Part part : ALL_PARTS) {
         names.insert(part_name(part));
-        EXPECT_EQ(part_from_name(part_name(part)), part);
     }
     EXPECT_EQ(names.size(), PART_COUNT);
-}
-
-TEST(PartTest, UnknownNamesGiveNothing)
-{
-    for (std::string_view name : {"", "Body", "wheel_left_0", "wheel_left_8", "body ", "wheel"}) {
-        EXPECT_FALSE(part_from_name(name).has_value()) << name;
-    }
 }
 
 } // namespace

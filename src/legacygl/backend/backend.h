@@ -1,8 +1,8 @@
 #pragma once
 
-#include "legacygl/primitives.h"
-#include "legacygl/state/fragment.h"
-#include "legacygl/vertex_format.h"
+#include "legacygl/backend/stencil_and_blend.h"
+#include "legacygl/vertex/format.h"
+#include "legacygl/vertex/primitives.h"
 
 #include <legacygl/legacygl.h>
 

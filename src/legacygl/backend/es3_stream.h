@@ -1,6 +1,6 @@
 #pragma once
 
-#include "legacygl/vertex_format.h"
+#include "legacygl/vertex/format.h"
 
 #include <cstdint>
 #include <span>

@@ -1,9 +1,9 @@
 // Vertex arrays (OpenGL 1.5, 2.8).
 
 #define GL_GLEXT_PROTOTYPES
-#include "legacygl/array_reader.h"
-#include "legacygl/client_array_names.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/client_array_names.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/vertex/array_reader.h"
 
 #include <cstring>
 

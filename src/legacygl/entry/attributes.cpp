@@ -1,7 +1,7 @@
 // Saving and restoring attributes (OpenGL 1.5, 6.1.14).
 
-#include "legacygl/attribute_stack.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/state/attribute_stack.h"
 
 using namespace legacygl;
 
@@ -29,7 +29,7 @@ void glPopAttrib()
         gl.attributes.back().restore(gl.state);
         gl.attributes.pop_back();
         gl.store_followed_color();
-        gl.renderer.changed(Renderer::everything);
+        gl.renderer.changed(change::everything);
     });
 }
 

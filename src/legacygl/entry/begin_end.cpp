@@ -1,7 +1,7 @@
 // glBegin, glEnd and what a vertex is made of (OpenGL 1.5, 2.6 and 2.7).
 
-#include "legacygl/component.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/vertex/component.h"
 
 using namespace legacygl;
 

@@ -1,6 +1,6 @@
 // Which colour buffer is drawn into and read (OpenGL 1.5, 4.2.1 and 4.3.2).
 
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
 
 using namespace legacygl;
 
@@ -44,7 +44,7 @@ void glDrawBuffer(GLenum mode)
             if (const GLenum error = buffer_error(gl, m); !several && error != GL_NO_ERROR)
                 return gl.set_error(error);
             gl.state.fragment.draw_buffer = m;
-            gl.renderer.changed(Renderer::everything);
+            gl.renderer.changed(change::everything);
         },
         mode);
 }

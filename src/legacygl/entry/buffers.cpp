@@ -1,7 +1,7 @@
 // Buffer objects for the vertex arrays (OpenGL 1.5, 2.9). They live in memory: arrays are read when drawn.
 
 #define GL_GLEXT_PROTOTYPES
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
 
 #include <cstring>
 

@@ -1,6 +1,6 @@
 // glCallLists and glListBase (OpenGL 1.5, 5.4).
 
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
 
 #include <cstdint>
 #include <cstring>

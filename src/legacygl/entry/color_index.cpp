@@ -1,7 +1,7 @@
 // Colour indices and accumulation, as far as they are state that a target of colours only keeps (OpenGL 1.5,
 // 2.7, 4.2.2 and 4.2.3).
 
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
 
 #include <algorithm>
 

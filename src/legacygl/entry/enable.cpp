@@ -1,7 +1,7 @@
 // glEnable, glDisable, glIsEnabled.
 
-#include "legacygl/capabilities.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/state/capabilities.h"
 
 using namespace legacygl;
 

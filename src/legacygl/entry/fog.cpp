@@ -1,7 +1,7 @@
 // Fog (OpenGL 1.5, 3.10).
 
-#include "legacygl/component.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/vertex/component.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ void set_fog(Context& gl, GLenum name, const Values& v)
 {
     FogState& fog = gl.state.fog;
     const auto value = static_cast<GLenum>(v[0]);
-    gl.renderer.changed(Renderer::fragments);
+    gl.renderer.changed(change::fragments);
     switch (name) {
     case GL_FOG_MODE:
         if (value != GL_LINEAR && value != GL_EXP && value != GL_EXP2)

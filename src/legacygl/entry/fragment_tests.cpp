@@ -1,7 +1,7 @@
 // The tests of a fragment and blending (OpenGL 1.5, 4.1).
 
 #define GL_GLEXT_PROTOTYPES
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
 
 #include <algorithm>
 
@@ -67,7 +67,7 @@ void set_blend_factors(Context& gl, GLenum source_rgb, GLenum destination_rgb, G
     blend.destination_rgb = destination_rgb;
     blend.source_alpha = source_alpha;
     blend.destination_alpha = destination_alpha;
-    gl.renderer.changed(Renderer::pipeline | Renderer::fragments);
+    gl.renderer.changed(change::pipeline | change::fragments);
 }
 
 bool is_blend_equation(GLenum mode)
@@ -82,7 +82,7 @@ void set_blend_equations(Context& gl, GLenum rgb, GLenum alpha)
         return gl.set_error(GL_INVALID_ENUM);
     gl.state.fragment.blend.equation = rgb;
     gl.state.fragment.blend.equation_alpha = alpha;
-    gl.renderer.changed(Renderer::pipeline | Renderer::fragments);
+    gl.renderer.changed(change::pipeline | change::fragments);
 }
 
 } // namespace
@@ -118,7 +118,7 @@ void glBlendColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha)
         [](Context& gl, float r, float g, float b, float a) {
             const auto clamp = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
             gl.state.fragment.blend.color = {clamp(r), clamp(g), clamp(b), clamp(a)};
-            gl.renderer.changed(Renderer::pipeline | Renderer::fragments);
+            gl.renderer.changed(change::pipeline | change::fragments);
         },
         red, green, blue, alpha);
 }
@@ -131,7 +131,7 @@ void glDepthFunc(GLenum func)
             if (f < GL_NEVER || f > GL_ALWAYS)
                 return gl.set_error(GL_INVALID_ENUM);
             gl.state.fragment.depth_func = f;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         func);
 }
@@ -145,7 +145,7 @@ void glAlphaFunc(GLenum func, GLclampf ref)
                 return gl.set_error(GL_INVALID_ENUM);
             gl.state.fragment.alpha_func = f;
             gl.state.fragment.alpha_reference = std::clamp(r, 0.0f, 1.0f);
-            gl.renderer.changed(Renderer::fragments);
+            gl.renderer.changed(change::fragments);
         },
         func, ref);
 }
@@ -158,7 +158,7 @@ void glScissor(GLint x, GLint y, GLsizei width, GLsizei height)
             if (w < 0 || h < 0)
                 return gl.set_error(GL_INVALID_VALUE);
             gl.state.fragment.scissor_box = {left, bottom, w, h};
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         x, y, width, height);
 }
@@ -174,7 +174,7 @@ void glStencilFunc(GLenum func, GLint ref, GLuint mask)
             stencil.func = f;
             stencil.reference = std::clamp(r, 0, 255); // Of eight bits.
             stencil.value_mask = m;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         func, ref, mask);
 }
@@ -190,7 +190,7 @@ void glStencilOp(GLenum fail, GLenum zfail, GLenum zpass)
             stencil.fail = f;
             stencil.depth_fail = zf;
             stencil.depth_pass = zp;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         fail, zfail, zpass);
 }

@@ -1,7 +1,7 @@
 // Lights, materials and the shade model (OpenGL 1.5, 2.14).
 
-#include "legacygl/component.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/vertex/component.h"
 
 #include <array>
 
@@ -72,7 +72,7 @@ void set_light(Context& gl, GLenum which, GLenum name, const Values& v)
         return gl.set_error(GL_INVALID_ENUM);
     Light& light = gl.state.lighting.lights[which - GL_LIGHT0];
     const Matrix& modelview = gl.state.transform.modelview.top();
-    gl.renderer.changed(Renderer::lighting);
+    gl.renderer.changed(change::lighting);
     switch (name) {
     case GL_AMBIENT:
         light.ambient = color(v);
@@ -117,7 +117,7 @@ void set_light(Context& gl, GLenum which, GLenum name, const Values& v)
 void set_model(Context& gl, GLenum name, const Values& v)
 {
     LightingState& lighting = gl.state.lighting;
-    gl.renderer.changed(Renderer::lighting);
+    gl.renderer.changed(change::lighting);
     switch (name) {
     case GL_LIGHT_MODEL_AMBIENT:
         lighting.model_ambient = color(v);
@@ -151,7 +151,7 @@ void set_material(Context& gl, GLenum face, GLenum name, const Values& v)
         gl.immediate.change_material({0, face, name, v}, gl.state.lighting.materials);
     else
         gl.flush_vertices();
-    gl.renderer.changed(Renderer::lighting);
+    gl.renderer.changed(change::lighting);
     if (!gl.state.lighting.set_material(face, name, v))
         return gl.set_error(GL_INVALID_ENUM);
     gl.store_followed_color(); // What follows the colour is not changed by glMaterial.
@@ -265,7 +265,7 @@ void glColorMaterial(GLenum face, GLenum mode)
             gl.state.lighting.color_material_face = f;
             gl.state.lighting.color_material_mode = m;
             gl.store_followed_color();
-            gl.renderer.changed(Renderer::lighting);
+            gl.renderer.changed(change::lighting);
         },
         face, mode);
 }
@@ -278,7 +278,7 @@ void glShadeModel(GLenum mode)
             if (m != GL_FLAT && m != GL_SMOOTH)
                 return gl.set_error(GL_INVALID_ENUM);
             gl.state.lighting.shade_model = m;
-            gl.renderer.changed(Renderer::lighting);
+            gl.renderer.changed(change::lighting);
         },
         mode);
 }

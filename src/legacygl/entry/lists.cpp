@@ -1,6 +1,7 @@
 // Display lists (OpenGL 1.5, 5.4).
 
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/context/list_replay.h"
 
 using namespace legacygl;
 
@@ -31,7 +32,7 @@ void glNewList(GLuint list, GLenum mode)
                 return gl.set_error(GL_INVALID_ENUM);
             if (gl.compiler)
                 return gl.set_error(GL_INVALID_OPERATION);
-            gl.compiler.emplace(name, m == GL_COMPILE_AND_EXECUTE);
+            gl.compiler.emplace(name, m == GL_COMPILE_AND_EXECUTE, replay);
         },
         list, mode);
 }

@@ -1,6 +1,6 @@
 // Matrices, the viewport and the depth range (OpenGL 1.5, 2.11).
 
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,7 @@ template <class T> Values floats(const T* m)
 
 void matrix_changed(Context& gl)
 {
-    gl.renderer.changed(gl.state.transform.matrix_mode == GL_TEXTURE ? Renderer::texturing
-                                                                     : Renderer::matrices);
+    gl.renderer.changed(gl.state.transform.matrix_mode == GL_TEXTURE ? change::texturing : change::matrices);
 }
 
 template <class T> Values transposed(const T* m)
@@ -209,7 +208,7 @@ void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
                 return gl.set_error(GL_INVALID_VALUE);
             const int greatest = gl.backend->maximum_viewport_size;
             gl.state.transform.viewport = {vx, vy, std::min(w, greatest), std::min(h, greatest)};
-            gl.renderer.changed(Renderer::pipeline | Renderer::matrices); // Points are rounded within it.
+            gl.renderer.changed(change::pipeline | change::matrices); // Points are rounded within it.
         },
         x, y, width, height);
 }
@@ -221,7 +220,7 @@ void glDepthRange(GLclampd zNear, GLclampd zFar)
         [](Context& gl, double n, double f) {
             gl.state.transform.depth_range = {static_cast<float>(std::clamp(n, 0.0, 1.0)),
                                               static_cast<float>(std::clamp(f, 0.0, 1.0))};
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         zNear, zFar);
 }

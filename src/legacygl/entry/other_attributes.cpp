@@ -2,8 +2,8 @@
 // coordinates (OpenGL 1.5, 2.7); and edge flags (2.6.2).
 
 #define GL_GLEXT_PROTOTYPES
-#include "legacygl/component.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/vertex/component.h"
 
 using namespace legacygl;
 

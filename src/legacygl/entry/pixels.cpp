@@ -1,8 +1,8 @@
 // Pixel storage and reading back (OpenGL 1.5, 3.6.1 and 4.3.2).
 
-#include "legacygl/dispatch.h"
-#include "legacygl/pixel_conversion.h"
-#include "legacygl/read_back.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/pixel/pixel_conversion.h"
+#include "legacygl/pixel/read_back.h"
 
 #include <vector>
 

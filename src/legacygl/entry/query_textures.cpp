@@ -1,10 +1,11 @@
 // Queries of textures: parameters, levels and texels (OpenGL 1.5, 6.1.3 and 6.1.4).
 
-#include "legacygl/dispatch.h"
-#include "legacygl/pixel_conversion.h"
-#include "legacygl/query_convert.h"
-#include "legacygl/texture_image.h"
-#include "legacygl/texture_targets.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/context/query_convert.h"
+#include "legacygl/pixel/pixel_conversion.h"
+#include "legacygl/pixel/texture_image.h"
+#include "legacygl/pixel/texture_targets.h"
+#include "legacygl/state/internal_format.h"
 
 using namespace legacygl;
 

@@ -1,7 +1,7 @@
 // Queries of texture environments and generated coordinates (OpenGL 1.5, 6.1.3).
 
-#include "legacygl/dispatch.h"
-#include "legacygl/query_convert.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/context/query_convert.h"
 
 using namespace legacygl;
 

@@ -1,6 +1,6 @@
 // Rasterising state, masks, clearing and finishing (OpenGL 1.5, 3.3 to 3.5 and 4.2).
 
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
 
 #include <algorithm>
 
@@ -25,7 +25,7 @@ void glCullFace(GLenum mode)
             if (!is_face(m))
                 return gl.set_error(GL_INVALID_ENUM);
             gl.state.raster.cull_face_mode = m;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         mode);
 }
@@ -38,7 +38,7 @@ void glFrontFace(GLenum mode)
             if (m != GL_CW && m != GL_CCW)
                 return gl.set_error(GL_INVALID_ENUM);
             gl.state.raster.front_face = m;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         mode);
 }
@@ -51,7 +51,7 @@ void glLineWidth(GLfloat width)
             if (!(w > 0))
                 return gl.set_error(GL_INVALID_VALUE);
             gl.state.raster.line_width = w;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         width);
 }
@@ -64,7 +64,7 @@ void glPointSize(GLfloat size)
             if (!(s > 0))
                 return gl.set_error(GL_INVALID_VALUE);
             gl.state.raster.point_size = s;
-            gl.renderer.changed(Renderer::matrices); // It lies beside the matrices.
+            gl.renderer.changed(change::matrices); // It lies beside the matrices.
         },
         size);
 }
@@ -76,7 +76,7 @@ void glPolygonOffset(GLfloat factor, GLfloat units)
         [](Context& gl, float f, float u) {
             gl.state.raster.polygon_offset_factor = f;
             gl.state.raster.polygon_offset_units = u;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         factor, units);
 }
@@ -87,7 +87,7 @@ void glDepthMask(GLboolean flag)
         __func__,
         [](Context& gl, GLboolean f) {
             gl.state.fragment.depth_mask = f != GL_FALSE;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         flag);
 }
@@ -98,7 +98,7 @@ void glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha
         __func__,
         [](Context& gl, GLboolean r, GLboolean g, GLboolean b, GLboolean a) {
             gl.state.fragment.color_mask = {r != GL_FALSE, g != GL_FALSE, b != GL_FALSE, a != GL_FALSE};
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         red, green, blue, alpha);
 }
@@ -109,7 +109,7 @@ void glStencilMask(GLuint mask)
         __func__,
         [](Context& gl, GLuint m) {
             gl.state.fragment.stencil.write_mask = m;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         mask);
 }

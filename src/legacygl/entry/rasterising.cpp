@@ -1,8 +1,8 @@
 // How points, lines and polygons are rasterised (OpenGL 1.5, 3.3 to 3.5), and user clip planes (2.12).
 
 #define GL_GLEXT_PROTOTYPES
-#include "legacygl/dispatch.h"
-#include "legacygl/stipple_image.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/pixel/stipple_image.h"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ bool is_clip_plane(GLenum name)
 void set_point_parameter(Context& gl, GLenum name, const std::array<float, 3>& v)
 {
     PointParameters& parameters = gl.state.raster.point_parameters;
-    gl.renderer.changed(Renderer::matrices);
+    gl.renderer.changed(change::matrices);
     if (name == GL_POINT_DISTANCE_ATTENUATION) {
         parameters.attenuation = v;
         return;
@@ -112,7 +112,7 @@ void glPolygonStipple(const GLubyte* mask)
         __func__,
         [](Context& gl, const StippleRows& rows) {
             gl.state.raster.polygon_stipple.rows = rows;
-            gl.renderer.changed(Renderer::fragments);
+            gl.renderer.changed(change::fragments);
         },
         unpack_stipple(current_context->state.unpack, mask));
 }
@@ -209,7 +209,7 @@ void glLogicOp(GLenum opcode)
             if (op < GL_CLEAR || op > GL_SET)
                 return gl.set_error(GL_INVALID_ENUM);
             gl.state.fragment.logic_op = op;
-            gl.renderer.changed(Renderer::pipeline);
+            gl.renderer.changed(change::pipeline);
         },
         opcode);
 }

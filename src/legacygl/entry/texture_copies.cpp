@@ -1,10 +1,11 @@
 // Copies from the frame buffer into textures (OpenGL 1.5, 3.8.2).
 
-#include "legacygl/dispatch.h"
-#include "legacygl/pixel_format.h"
-#include "legacygl/read_back.h"
-#include "legacygl/texture_image.h"
-#include "legacygl/texture_targets.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/pixel/pixel_format.h"
+#include "legacygl/pixel/read_back.h"
+#include "legacygl/pixel/texture_image.h"
+#include "legacygl/pixel/texture_targets.h"
+#include "legacygl/state/internal_format.h"
 
 using namespace legacygl;
 
@@ -29,7 +30,7 @@ void copy_part(Context& gl, Texture& texture, GLint level, int x, int y, const S
     if (!r.empty())
         set_part(texture, level, {x + r.skipped_left, y + r.skipped_below, r.width, r.height},
                  read_frame(gl, r));
-    gl.renderer.changed(Renderer::texturing);
+    gl.renderer.changed(change::texturing);
 }
 
 void copy_image(Context& gl, GLenum target, GLint level, GLenum internal_format, Source source, GLint border)

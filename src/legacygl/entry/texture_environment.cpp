@@ -1,7 +1,7 @@
 // Texture units, environments and generated coordinates (OpenGL 1.5, 2.11.4 and 3.8.13).
 
-#include "legacygl/component.h"
-#include "legacygl/dispatch.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/vertex/component.h"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +98,7 @@ GLenum set_combine(TextureUnit& unit, GLenum name, float v)
 void set_environment(Context& gl, GLenum target, GLenum name, const Values& v)
 {
     TextureUnit& unit = gl.state.texturing.unit();
-    gl.renderer.changed(Renderer::texturing);
+    gl.renderer.changed(change::texturing);
     if (target == GL_TEXTURE_FILTER_CONTROL && name == GL_TEXTURE_LOD_BIAS) {
         unit.lod_bias = v[0];
         return;
@@ -122,7 +122,7 @@ void set_generation(Context& gl, GLenum coordinate, GLenum name, const Values& v
     if (coordinate < GL_S || coordinate > GL_Q)
         return gl.set_error(GL_INVALID_ENUM);
     TextureGeneration& generation = gl.state.texturing.unit().generation[coordinate - GL_S];
-    gl.renderer.changed(Renderer::texturing);
+    gl.renderer.changed(change::texturing);
     switch (name) {
     case GL_TEXTURE_GEN_MODE: {
         const auto mode = static_cast<GLenum>(v[0]);

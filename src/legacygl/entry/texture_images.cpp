@@ -1,10 +1,11 @@
 // Images of textures and of their parts (OpenGL 1.5, 3.8.1 and 3.8.2).
 
-#include "legacygl/dispatch.h"
-#include "legacygl/pixel_conversion.h"
-#include "legacygl/texture_image.h"
-#include "legacygl/texture_targets.h"
-#include "legacygl/undone.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/context/undone.h"
+#include "legacygl/pixel/pixel_conversion.h"
+#include "legacygl/pixel/texture_image.h"
+#include "legacygl/pixel/texture_targets.h"
+#include "legacygl/state/internal_format.h"
 
 using namespace legacygl;
 
@@ -74,7 +75,7 @@ void define_image(Context& gl, const ImageRequest& r, PixelStore store, const Bl
                              static_cast<const std::uint8_t*>(pixels.data));
     Texture& texture = bound_texture(gl, flat ? GL_TEXTURE_1D : GL_TEXTURE_2D);
     set_level(texture, r.level, r.internal_format, width, height, rgba);
-    gl.renderer.changed(Renderer::texturing);
+    gl.renderer.changed(change::texturing);
 }
 
 void image(const char* entry, GLenum target, const ImageRequest& request, const void* pixels)
@@ -126,7 +127,7 @@ void replace_part(Context& gl, GLenum target, const PartRequest& r, const PixelS
     set_part(
         texture, r.level, r.part,
         unpack_pixels(store, width, height, r.format, r.type, static_cast<const std::uint8_t*>(pixels.data)));
-    gl.renderer.changed(Renderer::texturing);
+    gl.renderer.changed(change::texturing);
 }
 
 void part(const char* entry, GLenum target, GLenum wanted, const PartRequest& request, const void* pixels)

@@ -1,7 +1,7 @@
 // Textures by name (OpenGL 1.5, 3.8.12).
 
-#include "legacygl/dispatch.h"
-#include "legacygl/texture_targets.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/pixel/texture_targets.h"
 
 #include <algorithm>
 
@@ -56,7 +56,7 @@ void glDeleteTextures(GLsizei n, const GLuint* textures)
                             name = 0;
                 state.textures.erase(textures[i]);
             }
-            gl.renderer.changed(Renderer::texturing);
+            gl.renderer.changed(change::texturing);
         },
         n);
 }
@@ -91,7 +91,7 @@ void glBindTexture(GLenum target, GLuint texture)
                     return gl.set_error(GL_INVALID_OPERATION);
             }
             gl.state.texturing.unit().bound[t - GL_TEXTURE_1D] = name;
-            gl.renderer.changed(Renderer::texturing);
+            gl.renderer.changed(change::texturing);
         },
         target, texture);
 }

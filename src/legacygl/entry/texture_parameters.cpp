@@ -1,8 +1,8 @@
 // Parameters of textures (OpenGL 1.5, 3.8.4).
 
-#include "legacygl/component.h"
-#include "legacygl/dispatch.h"
-#include "legacygl/texture_targets.h"
+#include "legacygl/context/dispatch.h"
+#include "legacygl/pixel/texture_targets.h"
+#include "legacygl/vertex/component.h"
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ void set_parameter(Context& gl, GLenum target, GLenum name, const Values& v)
     if (const GLenum error = set(texture.parameters, name, v); error != GL_NO_ERROR)
         return gl.set_error(error);
     texture.sampling_changed = true;
-    gl.renderer.changed(Renderer::texturing);
+    gl.renderer.changed(change::texturing);
 }
 
 template <class T> void parameter(const char* entry, GLenum target, GLenum name, const T* params)

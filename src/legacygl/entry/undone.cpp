@@ -1,7 +1,7 @@
 // Entry points that are declared by <GL/gl.h> and not implemented yet: they link, set GL_INVALID_OPERATION
 // and say so once on stderr. The end of <legacygl/legacygl.h> lists them.
 
-#include "legacygl/undone.h"
+#include "legacygl/context/undone.h"
 
 #include <cstdio>
 

@@ -6,7 +6,7 @@
 #include "legacygl/state/raster.h"
 #include "legacygl/state/texturing.h"
 #include "legacygl/state/transform.h"
-#include "legacygl/vertex_format.h"
+#include "legacygl/vertex/format.h"
 
 namespace legacygl {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "legacygl/matrix.h"
-#include "legacygl/vertex_format.h"
+#include "legacygl/state/matrix.h"
+#include "legacygl/vertex/format.h"
 
 #include <GL/gl.h>
 

@@ -1,10 +1,10 @@
 // Reads the tank's OBJ files into display lists in a page, as the program does at its start: what reading.js
 // measures beside another reader. The files' bytes come from the page.
 
-#include "app/assets.h"
-#include "app/track_links.h"
+#include "assets/assets.h"
+#include "assets/track_links.h"
 #include "mesh/obj_reader.h"
-#include "scene/tank_lists.h"
+#include "scene/tank/tank_lists.h"
 #include "tank/part.h"
 
 #include <legacygl/legacygl.h>
@@ -21,19 +21,19 @@ namespace {
 
 constexpr double WHEEL_RADIUS = 0.36; // metres: near enough to find the links by
 
-std::array<std::string, app::MESH_FILE_COUNT> texts; // by app::mesh_files()
+std::array<std::string, assets::MESH_FILE_COUNT> texts; // by app::mesh_files()
 scene::TankLists lists;
 
 /// Reads a level's five files. Returns their triangles, 0 when one is not read.
-std::size_t read(app::Level level, scene::TankLists::Meshes& meshes)
+std::size_t read(lod::Level level, scene::TankLists::Meshes& meshes)
 {
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        const app::MeshFile& file = app::mesh_files()[i];
+        const assets::MeshFile& file = assets::mesh_files()[i];
         if (file.level != level) {
             continue;
         }
-        const mesh::Result<mesh::ObjMesh> read = mesh::read_obj(file.name, texts[i]);
+        const base::Result<mesh::ObjMesh> read = mesh::read_obj(file.name, texts[i]);
         if (!read) {
             return 0;
         }
@@ -63,7 +63,7 @@ EMSCRIPTEN_KEEPALIVE int reading_open(const char* canvas)
 EMSCRIPTEN_KEEPALIVE char* reading_file(const char* name, int size)
 {
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        if (app::mesh_files()[i].name == name) {
+        if (assets::mesh_files()[i].name == name) {
             texts[i].resize(size);
             return texts[i].data();
         }
@@ -76,10 +76,10 @@ EMSCRIPTEN_KEEPALIVE char* reading_file(const char* name, int size)
 EMSCRIPTEN_KEEPALIVE int reading_run(int with_links)
 {
     scene::TankLists::Meshes high, low;
-    const std::size_t triangles = read(app::Level::high, high), low_triangles = read(app::Level::low, low);
-    app::TrackLinks links;
+    const std::size_t triangles = read(lod::Level::high, high), low_triangles = read(lod::Level::low, low);
+    assets::TrackLinks links;
     if (with_links) {
-        links = app::find_track_links(high[tank::index_of(tank::MeshKind::body)], WHEEL_RADIUS);
+        links = assets::find_track_links(high[tank::index_of(tank::MeshKind::body)], WHEEL_RADIUS);
     }
     if (!lists.load_tank_objs(high, links) || !lists.load_low_detail_tank_objs(low)) {
         return 0;

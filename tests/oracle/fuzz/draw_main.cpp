@@ -8,7 +8,7 @@
 #include "fuzz/fuzz_program.h"
 
 #include "drawing.h"
-#include "platform/offscreen_target.h"
+#include "platform/offscreen/offscreen_target.h"
 
 #include <GL/gl.h>
 

@@ -1,7 +1,7 @@
 #include "scenes/program.h"
 
-#include "app/simulation.h"
-#include "platform/asset_files.h"
+#include "app/simulation/simulation.h"
+#include "platform/files/asset_files.h"
 #include "scene/scene_renderer.h"
 
 #include <cstdio>
@@ -11,10 +11,10 @@
 namespace oracle {
 namespace {
 
-const app::Assets& assets()
+const assets::Assets& assets()
 {
-    static const app::Assets all = [] {
-        app::Assets read;
+    static const assets::Assets all = [] {
+        assets::Assets read;
         const std::string error = platform::read_asset_folder(ORACLE_ASSETS, read);
         if (!error.empty()) {
             std::fprintf(stderr, "%s\n", error.c_str());

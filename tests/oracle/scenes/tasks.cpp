@@ -1,7 +1,7 @@
 // What the program draws for every task and figure of the lab, for every preset of the particle system, and
 // for states that no task has: a line through everything, a shot in flight, all of it as edges.
 
-#include "app/tasks.h"
+#include "app/links/tasks.h"
 #include "particles/presets.h"
 #include "scenes/program.h"
 

@@ -2,7 +2,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(EGL REQUIRED IMPORTED_TARGET GLOBAL egl)
 pkg_check_modules(OPENGL REQUIRED IMPORTED_TARGET GLOBAL gl glu)
 
-add_library(platform_files STATIC files/asset_files.cpp files/log_printer.cpp files/png_file.cpp)
+add_library(platform_files STATIC files/asset_files.cpp files/log_printer.cpp files/png_file.cpp program/arguments.cpp)
 target_link_libraries(platform_files PUBLIC platform_link app)
 target_include_directories(platform_files SYSTEM PRIVATE ${STB_INCLUDE_DIR})
 

@@ -169,6 +169,21 @@ TEST_F(Render, RefusesArgumentsItDoesNotKnow)
     expect_refused(render({"--out", picture()}), "There is no link");
     expect_refused(render({""}), "nothing to do");
     expect_refused(render({"", "--out", ""}), "--out needs a path");
+    expect_refused(render({"", "--out"}), "--out needs a path");
+    expect_refused(draw("", "64x48", {"--frobnicate=3"}), "The option --frobnicate=3 is unknown.");
+    expect_refused(draw("", "64x48", {"-xy"}), "The option -x is unknown.");
+    expect_refused(draw("", "64x48", {"--state=yes"}), "--state takes no value.");
+    expect_refused(draw("", "64x48", {"--", "--state"}), "two links, '' and '--state'");
+}
+
+TEST_F(Render, TakesAValueBehindAnEqualsSignToo)
+{
+    const Finished finished = render({"--size=37x21", std::string("--assets=") + ASSETS, "--out=" + picture(),
+                                      "--renderer=emulated", "--", "turret=30"});
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    const std::string with_equals_signs = read_file(picture());
+    ASSERT_EQ(draw("turret=30", "37x21").status, 0);
+    EXPECT_EQ(with_equals_signs, read_file(picture()));
 }
 
 TEST_F(Render, MeasuresTheThresholdByBothRenderers)

@@ -26,6 +26,8 @@ TEST(Window, RefusesArgumentsItDoesNotKnow)
 {
     expect_refused(run({TANKLAB, "--frobnicate"}), "--frobnicate");
     expect_refused(run({TANKLAB, "--assets"}), "--assets needs a folder");
+    expect_refused(run({TANKLAB, "--assets="}), "--assets needs a folder");
+    expect_refused(run({TANKLAB, "--help=yes"}), "--help takes no value");
     expect_refused(run({TANKLAB, "turret=1", "gun=2"}), "two links");
 }
 
@@ -33,6 +35,7 @@ TEST(Window, ReadsTheFilesBeforeItOpens)
 {
     platform_test::TemporaryFolder folder;
     expect_refused(run({TANKLAB, "--assets", folder.path().string()}), "tankbody.obj");
+    expect_refused(run({TANKLAB, "--assets=" + folder.path().string()}), "tankbody.obj");
 }
 
 TEST(Window, TellsItsUsage)

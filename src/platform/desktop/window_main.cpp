@@ -206,8 +206,7 @@ void run_until_closed(Program& program, Window& window)
 int run(int argument_count, char** arguments)
 {
     WindowOptions options;
-    const auto count = static_cast<std::size_t>(argument_count);
-    if (std::string error = read_window_options({arguments + 1, count - 1}, options); !error.empty()) {
+    if (std::string error = read_window_options(argument_count, arguments, options); !error.empty()) {
         return fail(error + " --help tells more.");
     }
     if (options.help) {

@@ -1,34 +1,49 @@
 #include "platform/desktop/window_options.h"
 
-#include <string_view>
+#include "platform/program/arguments.h"
+
+#include <optional>
 
 namespace platform {
+namespace {
 
-std::string read_window_options(std::span<const char* const> arguments, WindowOptions& options)
+enum : int
 {
-    bool have_link = false;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        if (argument == "--help") {
+    ASSETS = FIRST_OPTION,
+    HELP,
+};
+
+constexpr option OPTIONS[] = {
+    {"assets", required_argument, nullptr, ASSETS},
+    {"help", no_argument, nullptr, HELP},
+    {},
+};
+
+} // namespace
+
+std::string read_window_options(int count, char* const* arguments, WindowOptions& options)
+{
+    Arguments given(count, arguments, OPTIONS);
+    std::optional<std::string> link;
+    while (const std::optional<Argument> argument = given.next()) {
+        switch (argument->option) {
+        case HELP:
             options.help = true;
             return "";
-        }
-        if (argument == "--assets") {
-            if (i + 1 == arguments.size() || arguments[i + 1][0] == '\0') {
+        case ASSETS:
+            if (argument->value.empty()) {
                 return "--assets needs a folder.";
             }
-            options.assets = arguments[++i];
-        } else if (argument.starts_with("--")) {
-            return "The option " + std::string(argument) + " is unknown.";
-        } else if (have_link) {
-            return "There are two links, '" + options.link + "' and '" + std::string(argument) +
-                   "': give one (quote it, '&' ends a shell command).";
-        } else {
-            options.link = argument;
-            have_link = true;
+            options.assets = argument->value;
+            break;
+        default:
+            if (std::string fault = take_link(argument->value, link); !fault.empty()) {
+                return fault;
+            }
         }
     }
-    return "";
+    options.link = link.value_or("");
+    return given.fault();
 }
 
 const char* window_usage()

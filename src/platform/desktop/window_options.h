@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 
 namespace platform {
@@ -13,9 +12,9 @@ struct WindowOptions
     bool help = false;
 };
 
-/// Reads the arguments after the program's name into `options`.
+/// Reads the program's arguments, which begin with its name, into `options`; once in a process.
 /// Returns "" or a sentence that names the argument that is wrong.
-std::string read_window_options(std::span<const char* const> arguments, WindowOptions& options);
+std::string read_window_options(int count, char* const* arguments, WindowOptions& options);
 
 /// Returns the help text of `tanklab`.
 const char* window_usage();

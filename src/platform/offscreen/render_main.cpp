@@ -76,8 +76,7 @@ std::string draw_picture(const RenderOptions& options, const app::Simulation& si
 int run(int argument_count, char** arguments)
 {
     RenderOptions options;
-    const auto count = static_cast<std::size_t>(argument_count);
-    if (std::string error = read_render_options({arguments + 1, count - 1}, options); !error.empty()) {
+    if (std::string error = read_render_options(argument_count, arguments, options); !error.empty()) {
         return fail(error + " --help tells more.");
     }
     if (options.help) {

@@ -1,11 +1,35 @@
 #include "platform/offscreen/render_options.h"
 
+#include "platform/program/arguments.h"
+
 #include <charconv>
 #include <optional>
 #include <string_view>
 
 namespace platform {
 namespace {
+
+enum : int
+{
+    SIZE = FIRST_OPTION,
+    RENDERER,
+    OUT,
+    ASSETS,
+    STATE,
+    MEASURE_THRESHOLD,
+    HELP,
+};
+
+constexpr option OPTIONS[] = {
+    {"size", required_argument, nullptr, SIZE},
+    {"renderer", required_argument, nullptr, RENDERER},
+    {"out", required_argument, nullptr, OUT},
+    {"assets", required_argument, nullptr, ASSETS},
+    {"state", no_argument, nullptr, STATE},
+    {"measure-threshold", no_argument, nullptr, MEASURE_THRESHOLD},
+    {"help", no_argument, nullptr, HELP},
+    {},
+};
 
 /// Reads a whole decimal number from 1 to MAX_PICTURE_SIDE; anything else is nothing.
 std::optional<int> read_side(std::string_view text)
@@ -43,82 +67,73 @@ std::string read_renderer(std::string_view text, RenderOptions& options)
     } else if (text == "reference") {
         options.renderer = RendererName::reference;
     } else {
-        return "--renderer " + std::string(text) +
-               " is unknown: it is emulated (legacygl) or reference (the "
-               "system's OpenGL).";
+        return (text.empty() ? "--renderer needs a value"
+                             : "--renderer " + std::string(text) + " is unknown") +
+               ": it is emulated (legacygl) or reference (the system's OpenGL).";
     }
     return "";
 }
 
-/// Reads one option that takes a value.
-std::string read_valued(std::string_view name, std::string_view value, RenderOptions& options)
+std::string read_path(std::string_view name, const std::string& text, std::string& path)
 {
-    if (name == "--size") {
-        return read_size(value, options);
-    }
-    if (name == "--renderer") {
-        return read_renderer(value, options);
-    }
-    if (value.empty()) {
-        return std::string(name) + " needs a path.";
-    }
-    (name == "--out" ? options.out : options.assets) = value;
-    return "";
+    path = text;
+    return text.empty() ? std::string(name) + " needs a path." : "";
 }
 
-/// Fills in what was not given, where it may be left out.
-void fill_in_defaults(bool have_link, RenderOptions& options)
+/// Takes an argument. Returns "" or what is wrong with it.
+std::string use(const Argument& argument, RenderOptions& options, std::optional<std::string>& link)
 {
-    if (options.measure_threshold && !have_link) {
-        options.link = "task=3.2"; // the handout's camera
+    switch (argument.option) {
+    case SIZE:
+        return read_size(argument.value, options);
+    case RENDERER:
+        return read_renderer(argument.value, options);
+    case OUT:
+        return read_path("--out", argument.value, options.out);
+    case ASSETS:
+        return read_path("--assets", argument.value, options.assets);
+    case STATE:
+        options.state = true;
+        return "";
+    case MEASURE_THRESHOLD:
+        options.measure_threshold = true;
+        return "";
+    default:
+        return take_link(argument.value, link);
     }
+}
+
+void fill_in_size(RenderOptions& options)
+{
     if (options.width == 0) {
         options.width = options.measure_threshold ? 1280 : 960;
         options.height = options.measure_threshold ? 800 : 540;
     }
 }
 
-bool takes_value(std::string_view name)
-{
-    return name == "--size" || name == "--renderer" || name == "--out" || name == "--assets";
-}
-
 } // namespace
 
-std::string read_render_options(std::span<const char* const> arguments, RenderOptions& options)
+std::string read_render_options(int count, char* const* arguments, RenderOptions& options)
 {
-    bool have_link = false;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        if (argument == "--help") {
+    Arguments given(count, arguments, OPTIONS);
+    std::optional<std::string> link;
+    while (const std::optional<Argument> argument = given.next()) {
+        if (argument->option == HELP) {
             options.help = true;
             return "";
         }
-        if (argument == "--state") {
-            options.state = true;
-        } else if (argument == "--measure-threshold") {
-            options.measure_threshold = true;
-        } else if (takes_value(argument)) {
-            if (i + 1 == arguments.size()) {
-                return std::string(argument) + " needs a value.";
-            }
-            if (std::string error = read_valued(argument, arguments[++i], options); !error.empty()) {
-                return error;
-            }
-        } else if (argument.starts_with("--")) {
-            return "The option " + std::string(argument) + " is unknown.";
-        } else if (have_link) {
-            return "There are two links, '" + options.link + "' and '" + std::string(argument) +
-                   "': give one (quote it, '&' ends a shell command).";
-        } else {
-            options.link = argument;
-            have_link = true;
+        if (std::string fault = use(*argument, options, link); !fault.empty()) {
+            return fault;
         }
     }
-    fill_in_defaults(have_link, options);
-    if (!have_link && !options.measure_threshold) {
+    if (!given.fault().empty()) {
+        return given.fault();
+    }
+    if (!link && !options.measure_threshold) {
         return "There is no link: give one, such as '#turret=30', or '' for the tank as it starts.";
     }
+    options.link = link.value_or("task=3.2"); // the handout's camera
+    fill_in_size(options);
     if (options.out.empty() && !options.state && !options.measure_threshold) {
         return "There is nothing to do: give --out FILE.png, --state, --measure-threshold or several.";
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 
 namespace platform {
@@ -28,9 +27,9 @@ struct RenderOptions
 /// The longest side of a picture in pixels; OpenGL ES 3 need not go further than 2048, Mesa reaches 8192.
 inline constexpr int MAX_PICTURE_SIDE = 8192;
 
-/// Reads the arguments after the program's name into `options`.
+/// Reads the program's arguments, which begin with its name, into `options`; once in a process.
 /// Returns "" or a sentence that names the argument that is wrong.
-std::string read_render_options(std::span<const char* const> arguments, RenderOptions& options);
+std::string read_render_options(int count, char* const* arguments, RenderOptions& options);
 
 /// Returns the help text of `tanklab-render`.
 const char* render_usage();

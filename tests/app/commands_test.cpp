@@ -74,7 +74,7 @@ TEST(CommandsTest, EveryChoiceHasAKeyThatGoesThroughAllOfThem)
             std::set<std::int64_t> seen;
             for (std::size_t i = 0; i < field.choices.size(); ++i) {
                 seen.insert(grid_value(field, state));
-                ASSERT_EQ(command.press(state, assets::tiny_assets()), "");
+                ASSERT_EQ(command.press(state, assets::tiny_assets()).refusal, "");
             }
             found = found || (seen.size() == field.choices.size() && state == State());
         }

@@ -17,13 +17,13 @@ constexpr double pi = std::numbers::pi;
 void hold(Simulation& simulation, std::initializer_list<std::string_view> commands, int ticks)
 {
     for (std::string_view command : commands) {
-        EXPECT_EQ(simulation.apply(command, 1.0), "");
+        EXPECT_EQ(simulation.apply(command, 1.0).refusal, "");
     }
     for (int tick = 0; tick < ticks; ++tick) {
         simulation.step();
     }
     for (std::string_view command : commands) {
-        EXPECT_EQ(simulation.apply(command, 0.0), "");
+        EXPECT_EQ(simulation.apply(command, 0.0).refusal, "");
     }
 }
 

@@ -25,7 +25,7 @@ void random_pose(Simulation& simulation, std::mt19937_64& random)
 {
     for (std::string_view name : {"turret", "gun", "secondary_gun", "secondary_gun_pitch", "wheels_left",
                                   "wheels_right", "heading", "x", "z"}) {
-        ASSERT_EQ(simulation.apply(name, next_unit(random) * 360.0 - 180.0), "");
+        ASSERT_EQ(simulation.apply(name, next_unit(random) * 360.0 - 180.0).refusal, "");
     }
 }
 
@@ -36,7 +36,7 @@ TEST(SimulationTest, EveryVertexOfTheTankIsInsideItsPartsSphereAndThatInTheRootI
     std::mt19937_64 random(51);
     for (int pose = 0; pose < 2000; ++pose) {
         random_pose(simulation, random);
-        ASSERT_EQ(simulation.apply("fit", pose % 2), "");
+        ASSERT_EQ(simulation.apply("fit", pose % 2).refusal, "");
         const collision::SphereHierarchy& spheres = simulation.spheres().hierarchy();
         for (tank::Part part : tank::ALL_PARTS) {
             const BoundingSphere& sphere = spheres.parts()[tank::index_of(part)];
@@ -213,8 +213,8 @@ TEST(SimulationTest, NotANumberNeverReachesTheProjectile)
     open(simulation, "probe=point&point_x=1");
     for (std::string_view name : {"point_x", "point_y", "point_z", "point_radius", "line_ax", "line_bz",
                                   "speed", "aim_x", "threshold", "projectile_x_by"}) {
-        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::quiet_NaN()), "") << name;
-        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::infinity()), "") << name;
+        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::quiet_NaN()).refusal, "") << name;
+        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::infinity()).refusal, "") << name;
     }
     EXPECT_EQ(simulation.open_link("probe=point&point_x=nan").messages.size(), 1u);
     EXPECT_EQ(simulation.open_link("point_x=99999&threshold=0.2").messages.size(), 2u); // clamped and named

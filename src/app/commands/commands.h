@@ -3,6 +3,7 @@
 #include "app/commands/keys.h"
 #include "app/state/fields.h"
 #include "app/state/groups.h"
+#include "app/state/outcome.h"
 #include "app/state/state.h"
 #include "assets/assets.h"
 
@@ -54,8 +55,8 @@ struct Command
     std::array<Key, 3> keys{};
     std::array<Move, 2> moves{};
     std::size_t move_count = 0;
-    std::string (*press)(State&, const assets::Assets&) =
-        nullptr; ///< for press: returns "", or a sentence when it cannot be done
+    /// For press: does it, and says what happened besides other values of fields, which apply() finds.
+    Outcome (*press)(State&, const assets::Assets&) = nullptr;
 
     std::span<const Move> used_moves() const { return {moves.data(), move_count}; }
 };

@@ -174,15 +174,6 @@ void append_item(std::string& link, std::string_view key, std::string_view value
     link += value;
 }
 
-/// Puts an opened state in the place of one in use.
-void replace(State& state, State opened)
-{
-    opened.revision = state.revision;
-    ++opened.revision.count;
-    ++opened.revision.openings;
-    state = opened;
-}
-
 std::string written_value(const Field& field, std::int64_t value)
 {
     return field.choices.empty() ? base::write_decimal(value, field.unit.decimals)
@@ -246,7 +237,6 @@ State snapped(const State& state)
         result.shot = state.shot;
         result.tick = state.event.age;
     }
-    result.revision = state.revision;
     return result;
 }
 
@@ -256,20 +246,15 @@ LinkResult open_link(State& state, std::string_view fragment)
     if (fragment.size() > LONGEST_LINK) {
         messages.add("The link is longer than " + base::write_decimal(LONGEST_LINK, 0) +
                      " characters and is not used.");
-        return {messages.take()};
+        return {.messages = messages.take(), .outcome = {}};
     }
     if (!fragment.empty() && fragment[0] == '#') {
         fragment.remove_prefix(1);
     }
     const std::vector<Item> items = read_items(fragment, messages);
     report_duplicates(items, messages);
-    replace(state, read_state(items, read_task(items, messages), messages));
-    return {messages.take()};
-}
-
-void open_task(State& state, std::size_t task)
-{
-    replace(state, starting_state(task));
+    state = read_state(items, read_task(items, messages), messages);
+    return {.messages = messages.take(), .outcome = {.opened = true}};
 }
 
 } // namespace app

@@ -108,14 +108,14 @@ void write_command(base::JsonWriter& json, const Command& command)
     json.end_object();
 }
 
-void write_state(base::JsonWriter& json, const State& state)
+void write_state(base::JsonWriter& json, const State& state, std::uint64_t revision)
 {
     for (const Field& field : fields()) {
         json.key(field.name);
         write_value(json, field, grid_value(field, state));
     }
     json.key("tick").number(state.tick);
-    json.key("revision").number(state.revision.count);
+    json.key("revision").number(revision);
     json.key("link").string(link(state));
     json.key("held").begin_array();
     const std::span<const Command> all = commands();
@@ -191,7 +191,7 @@ std::string state_json(const State& state, const assets::Assets* assets)
 {
     base::JsonWriter json;
     json.begin_object();
-    write_state(json, state);
+    write_state(json, state, 0);
     json.key("level");
     if (assets != nullptr) {
         json.string(lod::level_name(make_frame(state, *assets).tanks[0].level));
@@ -206,7 +206,7 @@ std::string state_json(const Simulation& simulation)
 {
     base::JsonWriter json;
     json.begin_object();
-    write_state(json, simulation.state());
+    write_state(json, simulation.state(), simulation.revision());
     json.key("level").string(lod::level_name(simulation.frame().tanks[0].level));
     json.key("has_own_tank").boolean(simulation.has_own_tank());
     json.key("hits").begin_object();

@@ -40,7 +40,7 @@ void Sparks::begin(std::uint64_t seed)
     current().shower.restart(~seed); // other numbers than the bursts'
 }
 
-void Sparks::put_out()
+void Sparks::extinguish()
 {
     begin(0);
     begin(0); // of the event before, too

@@ -107,7 +107,7 @@ std::string WebPage::bring_tank()
         return app::tank_brought_json(tank.error().message(), {});
     }
     const std::vector<std::string> notes = std::move(tank.value().notes);
-    const std::string fault = program_.bring(std::move(tank.value().assets));
+    const std::string fault = program_.set_user_tank(std::move(tank.value().assets));
     if (fault.empty()) {
         draw();
         report();
@@ -147,7 +147,7 @@ void WebPage::draw()
 
 void WebPage::report()
 {
-    const std::uint64_t revision = program_.state().revision.count;
+    const std::uint64_t revision = program_.simulation().revision();
     if (reported_ && reported_revision_ == revision) {
         return;
     }

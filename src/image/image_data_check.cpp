@@ -56,11 +56,13 @@ std::size_t end_of_packets(std::span<const std::uint8_t> bytes, std::size_t at, 
 
 std::string check_tga(std::span<const std::uint8_t> bytes, long long pixels)
 {
-    if (bytes.size() < TgaHeader::size)
+    if (bytes.size() < TgaHeader::size) {
         return cut_short;
+    }
     const TgaHeader header(bytes);
-    if (header.from_right_to_left)
+    if (header.from_right_to_left) {
         return "the TGA image is stored from right to left, which is not supported; save it as PNG";
+    }
     const std::size_t begin = header.data_offset();
     const std::size_t end = header.run_length_encoded
                                 ? end_of_packets(bytes, begin, header.pixel_bytes, pixels)
@@ -73,8 +75,9 @@ std::string check_tga(std::span<const std::uint8_t> bytes, long long pixels)
 ImageFormat image_format(std::span<const std::uint8_t> bytes)
 {
     static constexpr std::array<std::uint8_t, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    if (bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin()))
+    if (bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin())) {
         return ImageFormat::png;
+    }
     const auto not_fill =
         std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte != 0xFF; });
     const bool is_jpeg = not_fill != bytes.begin() && not_fill != bytes.end() && *not_fill == 0xD8;
@@ -88,8 +91,9 @@ std::string check_image_before_header(ImageFormat format, std::span<const std::u
 
 std::string check_image_data(ImageFormat format, std::span<const std::uint8_t> bytes, long long pixels)
 {
-    if (format == ImageFormat::jpeg)
+    if (format == ImageFormat::jpeg) {
         return check_jpeg_scans(bytes, pixels);
+    }
     return format == ImageFormat::tga_or_unknown ? check_tga(bytes, pixels) : "";
 }
 

@@ -20,9 +20,11 @@ std::size_t big_endian(std::span<const std::uint8_t> four)
 
 bool has_type(std::span<const std::uint8_t> chunk, std::string_view type)
 {
-    for (std::size_t i = 0; i < type_size; ++i)
-        if (chunk[length_size + i] != static_cast<std::uint8_t>(type[i]))
+    for (std::size_t i = 0; i < type_size; ++i) {
+        if (chunk[length_size + i] != static_cast<std::uint8_t>(type[i])) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -34,11 +36,13 @@ std::vector<std::uint8_t> png_with_full_palette(std::span<const std::uint8_t> by
     for (std::size_t at = signature_size; bytes.size() >= at + header_size;) {
         const std::span<const std::uint8_t> chunk = bytes.subspan(at);
         const std::size_t length = big_endian(chunk);
-        if (length > chunk.size() - header_size || has_type(chunk, "IDAT"))
+        if (length > chunk.size() - header_size || has_type(chunk, "IDAT")) {
             return {};
+        }
         if (has_type(chunk, "PLTE")) {
-            if (length >= full_palette || length % 3 != 0)
+            if (length >= full_palette || length % 3 != 0) {
                 return {};
+            }
             std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
             copy[at + 2] = full_palette >> 8;
             copy[at + 3] = full_palette & 255;

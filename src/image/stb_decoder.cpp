@@ -41,8 +41,9 @@ void* reallocate(void* block, std::size_t old_size, std::size_t size)
 {
     void* moved = size <= largest_block ? std::realloc(block, size) : nullptr;
     const std::size_t kept = block != nullptr ? old_size : 0;
-    if (moved != nullptr && size > kept)
+    if (moved != nullptr && size > kept) {
         std::memset(static_cast<std::uint8_t*>(moved) + kept, 0, size - kept);
+    }
     return moved;
 }
 

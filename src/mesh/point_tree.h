@@ -78,15 +78,19 @@ private:
     {
         --steps_left;
         const Content& content = contents_[node.index];
-        if (content.marked == 0 || !content.box.may_touch(triangle))
+        if (content.marked == 0 || !content.box.may_touch(triangle)) {
             return false;
-        if (!node.is_leaf())
+        }
+        if (!node.is_leaf()) {
             return any_in_node(node.left(), triangle, found, steps_left) ||
                    any_in_node(node.right(), triangle, found, steps_left);
+        }
         steps_left -= leaf_size;
-        for (int i = node.begin; i < node.end; ++i)
-            if (is_marked_[order_[i]] && found(order_[i]))
+        for (int i = node.begin; i < node.end; ++i) {
+            if (is_marked_[order_[i]] && found(order_[i])) {
                 return true;
+            }
+        }
         return false;
     }
 

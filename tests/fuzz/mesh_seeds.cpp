@@ -35,13 +35,15 @@ int main(int argument_count, char** arguments)
         "5\nf 4//\n",
     };
     int number = 0;
-    for (const std::string& text : texts)
+    for (const std::string& text : texts) {
         write(folder / "obj", number++, Bytes(text.begin(), text.end()));
+    }
 
     const Bytes palette = png_chunk("PLTE", {1, 2, 3, 40, 50, 60});
     Bytes with_alpha = palette;
-    for (const std::uint8_t byte : png_chunk("tRNS", {128}))
+    for (const std::uint8_t byte : png_chunk("tRNS", {128})) {
         with_alpha.push_back(byte);
+    }
     const Bytes images[] = {
         png_file(sample_picture(9, 5, 3)),
         png_file(sample_picture(9, 5, 4)),
@@ -62,7 +64,8 @@ int main(int argument_count, char** arguments)
         {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 8, 0, 0x81, 6},
     };
     number = 0;
-    for (const Bytes& image : images)
+    for (const Bytes& image : images) {
         write(folder / "image", number++, image);
+    }
     return 0;
 }

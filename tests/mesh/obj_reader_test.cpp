@@ -15,8 +15,9 @@ ObjMesh read(std::string_view text)
 {
     base::Result<ObjMesh> result = mesh::read_obj("test.obj", text);
     EXPECT_TRUE(result) << (result ? "" : result.error().message());
-    if (!result)
+    if (!result) {
         return {};
+    }
     EXPECT_EQ(broken_invariant(result.value()), "");
     return std::move(result).value();
 }
@@ -160,10 +161,12 @@ TEST(ReadObj, SkipsAByteOrderMarkAndADosEndOfFile)
 TEST(ReadObj, ReadsDecimalPointsInALocaleWithCommas)
 {
     bool found = false;
-    for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "sv_SE.UTF-8"})
+    for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "sv_SE.UTF-8"}) {
         found = found || std::setlocale(LC_NUMERIC, name) != nullptr;
-    if (!found)
+    }
+    if (!found) {
         GTEST_SKIP() << "no locale with a decimal comma is installed";
+    }
     EXPECT_EQ(read_vertex("v 1.5 2.25 1e-1"), glm::vec3(1.5F, 2.25F, 0.1F));
     std::setlocale(LC_NUMERIC, "C");
 }
@@ -217,9 +220,11 @@ TEST(ReadObj, KeepsTheIndicesOfEachCornerWhenItCutsAPolygon)
     const ObjMesh m = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
                            "f 1/4/1 2/3/1 3/2/1 4/1/1\n");
     ASSERT_EQ(m.faces.size(), 2U);
-    for (const mesh::Face& face : m.faces)
-        for (const FaceVertex& v : face.vertices)
+    for (const mesh::Face& face : m.faces) {
+        for (const FaceVertex& v : face.vertices) {
             EXPECT_EQ(v.position + v.texture_coordinate, 3);
+        }
+    }
 }
 
 TEST(ReadObj, ReadsACubeThatWasWritten)
@@ -229,12 +234,13 @@ TEST(ReadObj, ReadsACubeThatWasWritten)
     EXPECT_EQ(m.texture_coordinates.size(), 4U);
     EXPECT_EQ(m.normals.size(), 6U);
     ASSERT_EQ(m.faces.size(), 12U);
-    for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t i = 0; i < 12; ++i) {
         for (const FaceVertex& v : m.faces[i].vertices) {
             EXPECT_EQ(v.normal, int(i / 2));
             // On face n of the cube, the position lies in the direction of the normal.
             EXPECT_EQ(glm::dot(m.positions[v.position], m.normals[v.normal]), 1);
         }
+    }
     EXPECT_EQ(broken_invariant(read(written_obj(m))), "");
     EXPECT_EQ(read(written_obj(m)).faces, m.faces);
     EXPECT_EQ(read(written_obj(m)).positions, m.positions);

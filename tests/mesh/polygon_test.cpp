@@ -41,11 +41,12 @@ void expect_cut_along_inner_edges(const Outline& outline, const std::vector<Corn
     const int n = int(outline.size());
     ASSERT_EQ(int(triangles.size()), n - 2);
     std::map<std::pair<int, int>, int> edges;
-    for (const CornerTriangle& t : triangles)
+    for (const CornerTriangle& t : triangles) {
         for (int i = 0; i < 3; ++i) {
             ASSERT_TRUE(t[i] >= 0 && t[i] < n);
             ++edges[{t[i], t[(i + 1) % 3]}];
         }
+    }
     for (const auto& [edge, count] : edges) {
         EXPECT_EQ(count, 1);
         const bool on_outline = edge.second == (edge.first + 1) % n;
@@ -60,8 +61,9 @@ void expect_covered_once(const Outline& outline, const std::vector<CornerTriangl
                          double tolerance = 0)
 {
     glm::dvec3 normal(0);
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
         normal += twice_area(outline[0], outline[i], outline[i + 1]);
+    }
     const double size = glm::length(normal);
     double sum = 0;
     for (const CornerTriangle& t : triangles) {
@@ -82,8 +84,9 @@ void expect_well_cut(const Outline& outline)
 Outline flat(const std::vector<glm::vec2>& points)
 {
     Outline outline;
-    for (const glm::vec2& p : points)
+    for (const glm::vec2& p : points) {
         outline.emplace_back(p.x, p.y, 0);
+    }
     return outline;
 }
 
@@ -103,16 +106,19 @@ bool edges_cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d)
 std::vector<glm::vec2> random_simple_polygon(std::mt19937& random, int n)
 {
     std::vector<glm::vec2> p;
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i) {
         p.emplace_back(float(random() % 100'003) / 97, float(random() % 100'003) / 97);
+    }
     for (bool crossed = true; crossed;) {
         crossed = false;
-        for (int i = 0; i < n; ++i)
-            for (int j = i + 1; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            for (int j = i + 1; j < n; ++j) {
                 if (edges_cross(p[i], p[i + 1], p[j], p[(j + 1) % n])) {
                     std::reverse(p.begin() + i + 1, p.begin() + j + 1);
                     crossed = true;
                 }
+            }
+        }
     }
     return p;
 }
@@ -131,18 +137,22 @@ std::vector<glm::vec2> random_outline_of_cells(std::mt19937& random, int side)
         // A cell with one filled neighbour and no filled corner beside it can enclose nothing and touch
         // nothing.
         int around = 0;
-        for (int dx = -1; dx <= 1; ++dx)
-            for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            for (int dy = -1; dy <= 1; ++dy) {
                 around += filled[x + dx][y + dy] ? 1 : 0;
-        if (!filled[x][y] && neighbours(x, y) == 1 && around <= 2)
+            }
+        }
+        if (!filled[x][y] && neighbours(x, y) == 1 && around <= 2) {
             filled[x][y] = true;
+        }
     }
     // Walk round with the filled cells on the left, starting at the lowest edge of the first column that has
     // one.
     int x = 0;
     int y = 0;
-    while (!filled[x][y])
+    while (!filled[x][y]) {
         y == side ? (++x, y = 0) : ++y;
+    }
     std::vector<glm::vec2> outline;
     const glm::ivec2 start(x, y);
     glm::ivec2 at = start;
@@ -158,10 +168,11 @@ std::vector<glm::vec2> random_outline_of_cells(std::mt19937& random, int side)
         outline.emplace_back(at);
         at += step;
         const glm::ivec2 left(-step.y, step.x);
-        if (cell_left_of(at, -left))
+        if (cell_left_of(at, -left)) {
             step = -left;
-        else if (!cell_left_of(at, step))
+        } else if (!cell_left_of(at, step)) {
             step = left;
+        }
     } while (at != start);
     return outline;
 }
@@ -180,29 +191,34 @@ TEST(TriangulatePolygon, CutsConvexPolygonsAsAFanFromTheFirstCorner)
 TEST(TriangulatePolygon, CutsEveryConcaveQuadThroughItsReflexCorner)
 {
     const std::vector<glm::vec2> dart = {{0, 0}, {4, -2}, {1, 0}, {4, 2}};
-    for (int turned = 0; turned < 4; ++turned)
+    for (int turned = 0; turned < 4; ++turned) {
         for (const bool clockwise : {false, true}) {
             std::vector<glm::vec2> p = dart;
             std::rotate(p.begin(), p.begin() + turned, p.end());
-            if (clockwise)
+            if (clockwise) {
                 std::reverse(p.begin(), p.end());
+            }
             expect_well_cut(flat(p));
         }
+    }
 }
 
 TEST(TriangulatePolygon, CutsInEveryCoordinatePlaneAndAcrossThem)
 {
     const std::vector<glm::vec2> l = {{2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}};
     for (const glm::vec3 u :
-         {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(1, 2, -1)})
+         {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(1, 2, -1)}) {
         for (const glm::vec3 v :
-             {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(-1, 0, 0), glm::vec3(3, -1, 1)})
+             {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(-1, 0, 0), glm::vec3(3, -1, 1)}) {
             if (glm::length(glm::cross(u, v)) > 0) {
                 Outline outline;
-                for (const glm::vec2& p : l)
+                for (const glm::vec2& p : l) {
                     outline.push_back(glm::vec3(5, 6, 7) + u * p.x + v * p.y);
+                }
                 expect_well_cut(outline);
             }
+        }
+    }
 }
 
 TEST(TriangulatePolygon, CutsCornersOnOneLine)
@@ -229,8 +245,9 @@ TEST(TriangulatePolygon, CutsAPolygonWithABridgeToItsHole)
 TEST(TriangulatePolygon, CutsRandomPolygonsThatDoNotCrossThemselves)
 {
     std::mt19937 random(1);
-    for (int i = 0; i < 400; ++i)
+    for (int i = 0; i < 400; ++i) {
         expect_well_cut(flat(random_simple_polygon(random, 4 + i % 60)));
+    }
 }
 
 TEST(TriangulatePolygon, CutsRandomOutlinesOfCells)
@@ -255,8 +272,9 @@ TEST(TriangulatePolygon, CutsAnyPolygonWithoutAreaSomehow)
         Outline(5, glm::vec3(3e38F, -3e38F, 3e38F)),                    // far out
         {{3e38F, 0, 0}, {0, 3e38F, 0}, {-3e38F, 0, 0}, {0, 1e-40F, 0}, {0, -1e38F, 0}} // of every size
     };
-    for (const Outline& outline : outlines)
+    for (const Outline& outline : outlines) {
         expect_cut_along_inner_edges(outline, cut(outline).triangles);
+    }
 }
 
 TEST(TriangulatePolygon, CutsAnyPolygonThatCrossesItselfSomehow)
@@ -266,8 +284,9 @@ TEST(TriangulatePolygon, CutsAnyPolygonThatCrossesItselfSomehow)
         Outline outline;
         const int n = 4 + int(random() % 40);
         const unsigned grid = 2 + random() % 9; // a coarse one makes many corners coincide
-        for (int j = 0; j < n; ++j)
+        for (int j = 0; j < n; ++j) {
             outline.emplace_back(float(random() % grid), float(random() % grid), float(random() % grid));
+        }
         expect_cut_along_inner_edges(outline, cut(outline).triangles);
     }
 }
@@ -337,8 +356,9 @@ TEST(TriangulatePolygon, GivesUpOnALargeTangleBeforeItTakesLong)
 {
     std::mt19937 random(4);
     Outline outline;
-    for (int i = 0; i < 200'000; ++i)
+    for (int i = 0; i < 200'000; ++i) {
         outline.emplace_back(float(random() % 1000), float(random() % 1000), 0);
+    }
     std::vector<CornerTriangle> triangles;
     long long steps_left = mesh::max_polygon_steps;
     EXPECT_FALSE(mesh::triangulate_polygon(outline, triangles, steps_left));

@@ -33,16 +33,18 @@ GLuint Es3Covering::use(const char* fragment)
 
 void Es3Covering::draw()
 {
-    if (vertex_array_ == 0)
+    if (vertex_array_ == 0) {
         gl_.GenVertexArrays(1, &vertex_array_);
+    }
     gl_.BindVertexArray(vertex_array_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Es3Covering::destroy()
 {
-    for (const Program& program : programs_)
+    for (const Program& program : programs_) {
         gl_.DeleteProgram(program.name);
+    }
     gl_.DeleteVertexArrays(1, &vertex_array_);
     forget();
 }

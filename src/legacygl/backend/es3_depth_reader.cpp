@@ -115,8 +115,9 @@ std::vector<std::uint32_t> Es3DepthReader::decode(const Copy& copy, int excess, 
     copy.attach_depths(copy.textures[1]);
     const std::vector<std::uint8_t> rgba = copy.read(from);
     std::vector<std::uint32_t> depths(rgba.size() / 4);
-    for (std::size_t i = 0; i < depths.size(); ++i)
+    for (std::size_t i = 0; i < depths.size(); ++i) {
         depths[i] = static_cast<std::uint32_t>(rgba[4 * i] << 16 | rgba[4 * i + 1] << 8 | rgba[4 * i + 2]);
+    }
     return depths;
 }
 
@@ -139,8 +140,9 @@ bool Es3DepthReader::read_depths(const TargetRectangle& from, std::span<std::uin
     gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &source);
     const int excess = excess_of_depths(copy, from);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
-    if (!copy.take())
+    if (!copy.take()) {
         return false;
+    }
     const std::vector<std::uint32_t> decoded = decode(copy, excess, from);
     std::copy(decoded.begin(), decoded.end(), depths.begin());
     return true;
@@ -149,8 +151,9 @@ bool Es3DepthReader::read_depths(const TargetRectangle& from, std::span<std::uin
 bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::uint8_t> values)
 {
     const Copy copy(gl_, from);
-    if (!copy.take())
+    if (!copy.take()) {
         return false;
+    }
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     covering_.use(WHITE_FRAGMENT);
@@ -165,8 +168,9 @@ bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::u
         covering_.draw();
     }
     const std::vector<std::uint8_t> rgba = copy.read(from);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = rgba[4 * i];
+    }
     return true;
 }
 

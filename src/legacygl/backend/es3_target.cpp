@@ -31,8 +31,9 @@ Es3Target::Es3Target(const Es3Functions& gl, Es3Covering& covering, LegacyGLTarg
 
 void Es3Target::restore()
 {
-    if (own())
+    if (own()) {
         buffers_ = make_buffers();
+    }
 }
 
 GLuint Es3Target::make_color()
@@ -80,8 +81,9 @@ Es3Target::Buffers Es3Target::make_buffers()
     gl_.BindRenderbuffer(GL_RENDERBUFFER, buffers.depth_stencil);
     gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width_, height_);
     buffers.colors[back] = make_color();
-    if (doubled())
+    if (doubled()) {
         buffers.colors[front] = make_color();
+    }
     buffers.framebuffers[back] = make_framebuffer(buffers, back);
     if (doubled()) {
         buffers.framebuffers[front] = make_framebuffer(buffers, front);
@@ -124,32 +126,37 @@ void Es3Target::resize(int width, int height)
     const int kept_width = std::min(width, width_), kept_height = std::min(height, height_);
     width_ = width;
     height_ = height;
-    if (!own())
+    if (!own()) {
         return;
+    }
     Buffers old = buffers_;
     buffers_ = make_buffers();
     copy(old, buffers_, back, kept_width, kept_height,
          GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    if (doubled())
+    if (doubled()) {
         copy(old, buffers_, front, kept_width, kept_height, GL_COLOR_BUFFER_BIT);
+    }
     delete_buffers(old);
 }
 
 void Es3Target::present()
 {
-    if (doubled())
+    if (doubled()) {
         copy(buffers_, buffers_, front, width_, height_, GL_COLOR_BUFFER_BIT);
+    }
     show_front();
 }
 
 void Es3Target::show_front()
 {
-    if (!own())
+    if (!own()) {
         return;
+    }
     gl_.BindFramebuffer(GL_FRAMEBUFFER, given_);
     // Without a window (EGL's surfaceless platform) there is nothing to copy into.
-    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         return;
+    }
     // Drawn, not blitted: ES does not blit into the antialiased framebuffer a window may have.
     gl_.Disable(GL_BLEND);
     gl_.Disable(GL_DEPTH_TEST);

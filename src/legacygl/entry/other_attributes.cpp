@@ -14,9 +14,10 @@ template <class... T> void multi_tex_coord(const char* name, GLenum unit, T... v
 {
     constexpr int COMPONENTS = sizeof...(T) < 2 ? 2 : sizeof...(T);
     const auto set = [](VertexAssembler& to, GLenum u, T... v) {
-        if (u >= GL_TEXTURE0 && u < GL_TEXTURE0 + TEXTURE_UNIT_COUNT)
+        if (u >= GL_TEXTURE0 && u < GL_TEXTURE0 + TEXTURE_UNIT_COUNT) {
             to.attribute(texture_coordinate(static_cast<int>(u - GL_TEXTURE0)), COMPONENTS,
                          vector_of(number(v)...));
+        }
     };
     dispatch_vertex(name, set, unit, values...);
 }

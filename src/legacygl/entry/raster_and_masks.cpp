@@ -22,8 +22,9 @@ void glCullFace(GLenum mode)
     dispatch(
         __func__,
         [](Context& gl, GLenum m) {
-            if (!is_face(m))
+            if (!is_face(m)) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.raster.cull_face_mode = m;
             gl.renderer.changed(change::pipeline);
         },
@@ -35,8 +36,9 @@ void glFrontFace(GLenum mode)
     dispatch(
         __func__,
         [](Context& gl, GLenum m) {
-            if (m != GL_CW && m != GL_CCW)
+            if (m != GL_CW && m != GL_CCW) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.raster.front_face = m;
             gl.renderer.changed(change::pipeline);
         },
@@ -48,8 +50,9 @@ void glLineWidth(GLfloat width)
     dispatch(
         __func__,
         [](Context& gl, float w) {
-            if (!(w > 0))
+            if (!(w > 0)) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             gl.state.raster.line_width = w;
             gl.renderer.changed(change::pipeline);
         },
@@ -61,8 +64,9 @@ void glPointSize(GLfloat size)
     dispatch(
         __func__,
         [](Context& gl, float s) {
-            if (!(s > 0))
+            if (!(s > 0)) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             gl.state.raster.point_size = s;
             gl.renderer.changed(change::matrices); // It lies beside the matrices.
         },
@@ -143,8 +147,9 @@ void glClear(GLbitfield mask)
         __func__,
         [](Context& gl, GLbitfield buffers) {
             constexpr GLbitfield ours = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-            if (buffers & ~(ours | GL_ACCUM_BUFFER_BIT))
+            if (buffers & ~(ours | GL_ACCUM_BUFFER_BIT)) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             gl.renderer.clear(gl.state, buffers & ours);
         },
         mask);

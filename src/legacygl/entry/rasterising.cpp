@@ -37,10 +37,12 @@ void set_point_parameter(Context& gl, GLenum name, const std::array<float, 3>& v
         parameters.attenuation = v;
         return;
     }
-    if (name != GL_POINT_SIZE_MIN && name != GL_POINT_SIZE_MAX && name != GL_POINT_FADE_THRESHOLD_SIZE)
+    if (name != GL_POINT_SIZE_MIN && name != GL_POINT_SIZE_MAX && name != GL_POINT_FADE_THRESHOLD_SIZE) {
         return gl.set_error(GL_INVALID_ENUM);
-    if (!(v[0] >= 0))
+    }
+    if (!(v[0] >= 0)) {
         return gl.set_error(GL_INVALID_VALUE);
+    }
     (name == GL_POINT_SIZE_MIN   ? parameters.minimum
      : name == GL_POINT_SIZE_MAX ? parameters.maximum
                                  : parameters.fade_threshold) = v[0];
@@ -49,16 +51,18 @@ void set_point_parameter(Context& gl, GLenum name, const std::array<float, 3>& v
 template <class T> void point_parameter(const char* entry, GLenum name, const T* v)
 {
     std::array<float, 3> values{static_cast<float>(v[0]), 0, 0};
-    if (name == GL_POINT_DISTANCE_ATTENUATION)
+    if (name == GL_POINT_DISTANCE_ATTENUATION) {
         values = {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+    }
     dispatch(entry, set_point_parameter, name, values);
 }
 
 /// The forms with one value are only for parameters that have one.
 template <class T> void one_point_parameter(const char* entry, GLenum name, T value)
 {
-    if (name != GL_POINT_DISTANCE_ATTENUATION)
+    if (name != GL_POINT_DISTANCE_ATTENUATION) {
         return point_parameter(entry, name, &value);
+    }
     dispatch(entry, [](Context& gl, GLenum) { gl.set_error(GL_INVALID_ENUM); }, name);
 }
 
@@ -67,8 +71,9 @@ void set_provoking_vertex(const char* entry, GLenum mode)
     dispatch(
         entry,
         [](Context& gl, GLenum m) {
-            if (m != GL_FIRST_VERTEX_CONVENTION && m != GL_LAST_VERTEX_CONVENTION)
+            if (m != GL_FIRST_VERTEX_CONVENTION && m != GL_LAST_VERTEX_CONVENTION) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.raster.provoking_vertex = m;
         },
         mode);
@@ -84,11 +89,14 @@ void glPolygonMode(GLenum face, GLenum mode)
         __func__,
         [](Context& gl, GLenum f, GLenum m) {
             const bool face_is_good = f == GL_FRONT || f == GL_BACK || f == GL_FRONT_AND_BACK;
-            if (!face_is_good || (m != GL_POINT && m != GL_LINE && m != GL_FILL))
+            if (!face_is_good || (m != GL_POINT && m != GL_LINE && m != GL_FILL)) {
                 return gl.set_error(GL_INVALID_ENUM);
-            for (int side = 0; side < 2; ++side)
-                if (f != (side == 0 ? GL_BACK : GL_FRONT))
+            }
+            for (int side = 0; side < 2; ++side) {
+                if (f != (side == 0 ? GL_BACK : GL_FRONT)) {
                     gl.state.raster.polygon_mode[side] = m;
+                }
+            }
         },
         face, mode);
 }
@@ -106,8 +114,9 @@ void glLineStipple(GLint factor, GLushort pattern)
 
 void glPolygonStipple(const GLubyte* mask)
 {
-    if (!current_context)
+    if (!current_context) {
         return;
+    }
     dispatch(
         __func__,
         [](Context& gl, const StippleRows& rows) {
@@ -179,8 +188,9 @@ void glClipPlane(GLenum plane, const GLdouble* equation)
     dispatch(
         __func__,
         [](Context& gl, GLenum p, const Equation& e) {
-            if (!is_clip_plane(p))
+            if (!is_clip_plane(p)) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.transform.clip_planes[p - GL_CLIP_PLANE0].equation =
                 plane_in_eye_space(e, gl.state.transform.modelview.top().inverse());
         },
@@ -192,11 +202,13 @@ void glGetClipPlane(GLenum plane, GLdouble* equation)
     dispatch_now(
         __func__,
         [equation](Context& gl, GLenum p) {
-            if (!is_clip_plane(p))
+            if (!is_clip_plane(p)) {
                 return gl.set_error(GL_INVALID_ENUM);
-            for (int i = 0; i < 4; ++i)
+            }
+            for (int i = 0; i < 4; ++i) {
                 equation[i] =
                     static_cast<double>(gl.state.transform.clip_planes[p - GL_CLIP_PLANE0].equation[i]);
+            }
         },
         plane);
 }
@@ -206,8 +218,9 @@ void glLogicOp(GLenum opcode)
     dispatch(
         __func__,
         [](Context& gl, GLenum op) {
-            if (op < GL_CLEAR || op > GL_SET)
+            if (op < GL_CLEAR || op > GL_SET) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.fragment.logic_op = op;
             gl.renderer.changed(change::pipeline);
         },

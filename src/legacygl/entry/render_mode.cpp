@@ -23,12 +23,13 @@ GLint glRenderMode(GLenum mode)
     dispatch_now(
         __func__,
         [](Context& gl, GLenum m) {
-            if (m == GL_SELECT)
+            if (m == GL_SELECT) {
                 LEGACYGL_REFUSE("glRenderMode(GL_SELECT)");
-            else if (m == GL_FEEDBACK)
+            } else if (m == GL_FEEDBACK) {
                 LEGACYGL_REFUSE("glRenderMode(GL_FEEDBACK)");
-            else if (m != GL_RENDER)
+            } else if (m != GL_RENDER) {
                 gl.set_error(GL_INVALID_ENUM);
+            }
         },
         mode);
     return 0;

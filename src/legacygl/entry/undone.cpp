@@ -7,11 +7,13 @@
 
 void legacygl::refuse_undone(bool& said, const char* what)
 {
-    if (!said)
+    if (!said) {
         std::fprintf(stderr, "legacygl: %s is not implemented and sets GL_INVALID_OPERATION\n", what);
+    }
     said = true;
-    if (current_context)
+    if (current_context) {
         current_context->refuse_unsupported();
+    }
 }
 
 extern "C" {

@@ -18,8 +18,9 @@ public:
     bool outside() const { return orientation == GLU_OUTSIDE; }
     void error(GLenum code) const
     {
-        if (error_callback)
+        if (error_callback) {
             error_callback(code);
+        }
     }
 };
 

@@ -41,9 +41,11 @@ struct TextureKey
     bool has_border() const { return border_wrap[0] != 0 || border_wrap[1] != 0; }
     bool generates(GLenum mode) const
     {
-        for (GLenum g : generation)
-            if (g == mode)
+        for (GLenum g : generation) {
+            if (g == mode) {
                 return true;
+            }
+        }
         return false;
     }
     /// Returns whether all fragments of a primitive have the same coordinates of this unit. varying: the

@@ -47,16 +47,18 @@ struct VertexFormat
     int floats() const
     {
         int sum = 0;
-        for (std::uint8_t c : components)
+        for (std::uint8_t c : components) {
             sum += c;
+        }
         return sum;
     }
     /// Returns where the attribute begins, in floats from the vertex's first.
     int offset(Attribute attribute) const
     {
         int sum = 0;
-        for (int i = 0; i < index_of(attribute); ++i)
+        for (int i = 0; i < index_of(attribute); ++i) {
             sum += components[i];
+        }
         return sum;
     }
     bool has(Attribute attribute) const { return components[index_of(attribute)] != 0; }

@@ -81,7 +81,7 @@ double root_overhang(const collision::SphereHierarchy& spheres)
 std::size_t drawn_spheres(const app::Frame& frame, const std::vector<DrawnVertex>& vertices)
 {
     std::size_t drawn = 0;
-    for (const app::SphereInFrame& sphere : frame.used_spheres()) {
+    for (const app::SphereInFrame& sphere : frame.spheres) {
         std::size_t on_sphere = 0;
         for (const DrawnVertex& vertex : vertices) {
             on_sphere += vertex.drawn == Drawn::lines &&

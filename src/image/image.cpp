@@ -15,8 +15,8 @@ namespace {
 
 std::string too_large()
 {
-    return "the image is too large: at most " + std::to_string(max_image_side) + " pixels a side and " +
-           std::to_string(max_image_pixels) + " in all are read; scale it down";
+    return "the image is too large: at most " + std::to_string(MAX_IMAGE_SIDE) + " pixels a side and " +
+           std::to_string(MAX_IMAGE_PIXELS) + " in all are read; scale it down";
 }
 
 /// Turns stb_image's few words on its last failure into a sentence.
@@ -74,9 +74,9 @@ std::string check(std::span<const std::uint8_t> bytes, ImageHeader& header)
     if (bytes.empty()) {
         return "the file is empty";
     }
-    if (bytes.size() > max_image_file_bytes) {
+    if (bytes.size() > MAX_IMAGE_FILE_BYTES) {
         return "the file has " + std::to_string(bytes.size() >> 20) + " MB and at most " +
-               std::to_string(max_image_file_bytes >> 20) + " MB are read; scale the image down";
+               std::to_string(MAX_IMAGE_FILE_BYTES >> 20) + " MB are read; scale the image down";
     }
     const ImageFormat format = image_format(bytes);
     if (std::string cause = check_image_before_header(format, bytes); !cause.empty()) {
@@ -89,7 +89,7 @@ std::string check(std::span<const std::uint8_t> bytes, ImageHeader& header)
         return failure_sentence();
     }
     const long long pixels = static_cast<long long>(header.width) * header.height;
-    if (header.width > max_image_side || header.height > max_image_side || pixels > max_image_pixels) {
+    if (header.width > MAX_IMAGE_SIDE || header.height > MAX_IMAGE_SIDE || pixels > MAX_IMAGE_PIXELS) {
         return too_large();
     }
     return check_image_data(format, bytes, pixels);

@@ -15,7 +15,7 @@ constexpr const char* cut_short = "the image is cut short; copy or save it again
 /// header".
 struct TgaHeader
 {
-    static constexpr std::size_t size = 18;
+    static constexpr std::size_t SIZE = 18;
 
     explicit TgaHeader(std::span<const std::uint8_t> bytes)
         : id_length(bytes[0]), has_palette(bytes[1] == 1), run_length_encoded(bytes[2] >= 8),
@@ -27,7 +27,7 @@ struct TgaHeader
     /// Where the pixels begin. stb_image takes the palette's first index for bytes to skip, and so do we.
     std::size_t data_offset() const
     {
-        return size + id_length + (has_palette ? palette_start + palette_length * palette_entry_bytes : 0);
+        return SIZE + id_length + (has_palette ? palette_start + palette_length * palette_entry_bytes : 0);
     }
 
     std::size_t id_length;
@@ -56,7 +56,7 @@ std::size_t end_of_packets(std::span<const std::uint8_t> bytes, std::size_t at, 
 
 std::string check_tga(std::span<const std::uint8_t> bytes, long long pixels)
 {
-    if (bytes.size() < TgaHeader::size) {
+    if (bytes.size() < TgaHeader::SIZE) {
         return cut_short;
     }
     const TgaHeader header(bytes);
@@ -74,8 +74,10 @@ std::string check_tga(std::span<const std::uint8_t> bytes, long long pixels)
 
 ImageFormat image_format(std::span<const std::uint8_t> bytes)
 {
-    static constexpr std::array<std::uint8_t, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    if (bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin())) {
+    static constexpr std::array<std::uint8_t, 8> PNG_SIGNATURE = {0x89, 'P',  'N',  'G',
+                                                                  '\r', '\n', 0x1A, '\n'};
+    if (bytes.size() >= PNG_SIGNATURE.size() &&
+        std::equal(PNG_SIGNATURE.begin(), PNG_SIGNATURE.end(), bytes.begin())) {
         return ImageFormat::png;
     }
     const auto not_fill =

@@ -11,7 +11,7 @@ namespace mesh {
 namespace {
 
 constexpr glm::vec3 any_direction(0, 1, 0);
-constexpr int missing = -1;
+constexpr int MISSING = -1;
 
 /// Twice the vector area of a face. In double: the square of no float overflows or vanishes there.
 glm::dvec3 vector_area(const ObjMesh& mesh, const Face& face)
@@ -62,11 +62,11 @@ glm::dvec3 vector_area(const ObjMesh& mesh, const Polygon& polygon)
 /// group's.
 bool complete_flat(ObjMesh& mesh, const Polygon& polygon)
 {
-    int flat_normal = missing;
+    int flat_normal = MISSING;
     bool some_left = false;
     for (int i = 0; i < polygon.face_count; ++i) {
         for (FaceVertex& vertex : mesh.faces[polygon.first_face + i].vertices) {
-            const bool has_normal = vertex.normal != missing;
+            const bool has_normal = vertex.normal != MISSING;
             if (has_normal && is_normalisable(mesh.normals[vertex.normal])) {
                 continue;
             }
@@ -74,7 +74,7 @@ bool complete_flat(ObjMesh& mesh, const Polygon& polygon)
                 some_left = true;
                 continue;
             }
-            if (flat_normal == missing) {
+            if (flat_normal == MISSING) {
                 flat_normal = append_normal(mesh, direction_of(vector_area(mesh, polygon)));
             }
             vertex.normal = flat_normal;
@@ -126,17 +126,17 @@ void complete_shared(ObjMesh& mesh, std::span<const SmoothCorner> corners)
                 area * (corner_angle(mesh, mesh.faces[c.face], c.corner) / std::sqrt(glm::dot(area, area)));
         }
     }
-    constexpr double shortest = 1e-9; // what is left when normals cancel is rounding, and points anywhere
-    const bool cancels = glm::dot(sum, sum) < shortest * shortest;
-    int shared_normal = missing;
+    constexpr double MIN_LENGTH = 1e-9; // what is left when normals cancel is rounding, and points anywhere
+    const bool cancels = glm::dot(sum, sum) < MIN_LENGTH * MIN_LENGTH;
+    int shared_normal = MISSING;
     for (const SmoothCorner& c : corners) {
         int& normal = mesh.faces[c.face].vertices[c.corner].normal;
-        if (normal != missing) {
+        if (normal != MISSING) {
             continue;
         }
         if (cancels) {
             normal = append_normal(mesh, direction_of(vector_area(mesh, mesh.faces[c.face])));
-        } else if (shared_normal == missing) {
+        } else if (shared_normal == MISSING) {
             normal = shared_normal = append_normal(mesh, direction_of(sum));
         } else {
             normal = shared_normal;

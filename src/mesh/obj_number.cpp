@@ -18,9 +18,9 @@
 namespace mesh {
 namespace {
 
-constexpr std::size_t longest_word = 128; // a double printed with %f and 50 decimals fits
-constexpr int largest_exponent = 400;     // tinyobjloader's own arithmetic on exponents is safe far beyond
-constexpr std::size_t most_index_digits = 9;
+constexpr std::size_t MAX_WORD_LENGTH = 128; // a double printed with %f and 50 decimals fits
+constexpr int MAX_EXPONENT = 400;            // tinyobjloader's own arithmetic on exponents is safe far beyond
+constexpr std::size_t MAX_INDEX_DIGITS = 9;
 
 bool is_digit(char c)
 {
@@ -77,7 +77,7 @@ Cause malformed_number(std::string_view word)
 /// Checks the whole of `word` against [sign] (digits [. digits] | . digits) [(e | E) [sign] digits].
 Cause check_number(std::string_view word)
 {
-    if (word.size() > longest_word) {
+    if (word.size() > MAX_WORD_LENGTH) {
         return base::quoted(word) + " is too long for a number";
     }
     std::size_t at = mantissa_length(word);
@@ -96,10 +96,10 @@ Cause check_number(std::string_view word)
         return malformed_number(word);
     }
     int exponent = 0;
-    for (; at < word.size() && exponent <= largest_exponent; ++at) {
+    for (; at < word.size() && exponent <= MAX_EXPONENT; ++at) {
         exponent = exponent * 10 + (word[at] - '0');
     }
-    if (exponent > largest_exponent) {
+    if (exponent > MAX_EXPONENT) {
         return base::quoted(word) + " has an exponent outside the range of numbers";
     }
     return {};
@@ -119,7 +119,7 @@ Cause check_index(std::string_view index, std::string_view word)
     if (at == index.size()) {
         return base::quoted(word) + " has an index 0; indices count from 1, or backwards from -1";
     }
-    if (index.size() - at > most_index_digits) {
+    if (index.size() - at > MAX_INDEX_DIGITS) {
         return base::quoted(word) + " has an index that is out of range";
     }
     return {};
@@ -128,7 +128,7 @@ Cause check_index(std::string_view index, std::string_view word)
 /// Checks `word` against v, v/vt, v//vn and v/vt/vn.
 Cause check_corner(std::string_view word)
 {
-    if (word.size() > longest_word) {
+    if (word.size() > MAX_WORD_LENGTH) {
         return base::quoted(word) + " is too long for a corner of a face";
     }
     std::size_t begin = 0;
@@ -174,7 +174,7 @@ Cause read_corner(std::string_view word, WrittenCorner& corner)
     if (Cause cause = check_corner(word); !cause.empty()) {
         return cause;
     }
-    std::array<char, longest_word + 1> terminated{};
+    std::array<char, MAX_WORD_LENGTH + 1> terminated{};
     std::copy(word.begin(), word.end(), terminated.begin());
     const char* at = terminated.data();
     const tinyobj::vertex_index_t indices = tinyobj::parseRawTriple(&at);

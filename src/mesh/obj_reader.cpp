@@ -102,9 +102,8 @@ private:
 
     Cause read_position()
     {
-        Cause cause =
-            read_numbers(3, most_numbers,
-                         "a vertex (v) needs three numbers, and may have a weight or a colour after them");
+        Cause cause = read_numbers(
+            3, MAX_NUMBERS, "a vertex (v) needs three numbers, and may have a weight or a colour after them");
         if (cause.empty()) {
             mesh_.positions.emplace_back(numbers_[0], numbers_[1], numbers_[2]);
         }
@@ -178,8 +177,8 @@ private:
             return "a face (f) needs at least three vertices; this one has " +
                    std::to_string(corners_.size());
         }
-        if (mesh_.faces.size() + corners_.size() - 2 > max_obj_triangles) {
-            return "the model has more than " + std::to_string(max_obj_triangles) +
+        if (mesh_.faces.size() + corners_.size() - 2 > MAX_OBJ_TRIANGLES) {
+            return "the model has more than " + std::to_string(MAX_OBJ_TRIANGLES) +
                    " triangles; reduce the number of its polygons";
         }
         return cut_face();
@@ -223,7 +222,7 @@ private:
         mesh_.groups.push_back({std::string(group_), first_face, face_count});
     }
 
-    static constexpr std::size_t most_numbers = 8; // x y z, w, r g b a
+    static constexpr std::size_t MAX_NUMBERS = 8; // x y z, w, r g b a
 
     ObjStatements statements_;
     int fault_line_ = 0;
@@ -231,10 +230,10 @@ private:
     std::vector<Polygon> polygons_;
     int smoothing_group_ = 0;
     std::string_view group_; // of the text
-    long long polygon_steps_left_ = max_polygon_steps;
+    long long polygon_steps_left_ = MAX_POLYGON_STEPS;
 
     // Of the current statement; members so that they keep their memory.
-    std::array<float, most_numbers> numbers_{};
+    std::array<float, MAX_NUMBERS> numbers_{};
     std::size_t number_count_ = 0;
     std::vector<FaceVertex> corners_;
     std::vector<glm::vec3> outline_;

@@ -5,8 +5,8 @@
 namespace mesh {
 namespace {
 
-constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-constexpr char dos_end_of_file = '\x1A'; // some old programs end their text files with it
+constexpr std::string_view UTF8_MARK = "\xEF\xBB\xBF";
+constexpr char DOS_END_OF_FILE = '\x1A'; // some old programs end their text files with it
 
 bool is_line_end(char c)
 {
@@ -33,10 +33,10 @@ bool is_control(char c)
 
 ObjStatements::ObjStatements(std::string_view text) : text_(text)
 {
-    if (text_.substr(0, utf8_mark.size()) == utf8_mark) {
-        at_ = utf8_mark.size();
+    if (text_.substr(0, UTF8_MARK.size()) == UTF8_MARK) {
+        at_ = UTF8_MARK.size();
     }
-    if (!text_.empty() && text_.back() == dos_end_of_file) {
+    if (!text_.empty() && text_.back() == DOS_END_OF_FILE) {
         text_.remove_suffix(1);
     }
 }
@@ -125,9 +125,9 @@ std::string_view ObjStatements::next_word()
 
 TextFault check_obj_text(std::string_view text)
 {
-    if (text.size() > max_obj_bytes) {
+    if (text.size() > MAX_OBJ_BYTES) {
         return {0, "the file has " + std::to_string(text.size() >> 20) + " MB and at most " +
-                       std::to_string(max_obj_bytes >> 20) +
+                       std::to_string(MAX_OBJ_BYTES >> 20) +
                        " MB are read; reduce the number of polygons or split the model"};
     }
     const std::string_view start = text.substr(0, 2);
@@ -145,13 +145,13 @@ TextFault check_obj_text(std::string_view text)
             ++line;
             continue;
         }
-        if (is_control(text[at]) && !(text[at] == dos_end_of_file && at + 1 == text.size())) {
+        if (is_control(text[at]) && !(text[at] == DOS_END_OF_FILE && at + 1 == text.size())) {
             return {line, "there is binary data here (a byte of value " +
                               std::to_string(static_cast<unsigned char>(text[at])) +
                               "); this is not an OBJ text file"};
         }
-        if (at - line_begin >= max_obj_line_bytes) {
-            return {line, "the line is longer than " + std::to_string(max_obj_line_bytes) +
+        if (at - line_begin >= MAX_OBJ_LINE_BYTES) {
+            return {line, "the line is longer than " + std::to_string(MAX_OBJ_LINE_BYTES) +
                               " bytes; this is hardly an OBJ text file"};
         }
         only_blanks = only_blanks && is_blank(text[at]);

@@ -142,7 +142,7 @@ TEST(FiringTest, AShowerFallsWhileTheProjectileStaysInsideAndEndsAfterwards)
     simulation.apply("point_x", 30.0);
     steps(simulation, 60);
     EXPECT_FALSE(simulation.sparks().is_active());
-    EXPECT_TRUE(simulation.frame().used_particles().empty());
+    EXPECT_TRUE(simulation.frame().particles.empty());
 }
 
 TEST(FiringTest, SparksStartWhereTheSphereIsTouchedAndNeverFallThroughTheGround)
@@ -158,7 +158,7 @@ TEST(FiringTest, SparksStartWhereTheSphereIsTouchedAndNeverFallThroughTheGround)
     bool any = false;
     for (int tick = 0; tick < 60; ++tick) {
         const Frame frame = simulation.frame();
-        for (const particles::ParticleView& view : frame.used_particles()) {
+        for (const particles::ParticleView& view : frame.particles) {
             for (std::size_t i = 0; i < view.count(); ++i) {
                 any = true;
                 ASSERT_GE(view.position(i).y, -1e-4F);
@@ -286,7 +286,7 @@ TEST(FiringTest, EveryPresetWithAnyAmountIsShownAndEnds)
             EXPECT_EQ(simulation.shown_particles().capacity(), static_cast<std::size_t>(amount))
                 << presets[preset];
             steps(simulation, 3);
-            EXPECT_EQ(simulation.frame().used_particles().empty(), amount == 0.0) << presets[preset];
+            EXPECT_EQ(simulation.frame().particles.empty(), amount == 0.0) << presets[preset];
         }
         simulation.apply("particles", 0.0);
         steps(simulation, 1);

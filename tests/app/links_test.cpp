@@ -63,7 +63,7 @@ TEST(LinksTest, SharingAndOpeningGivesTheSnappedStateExactly)
         ASSERT_EQ(link(back), text);
         ASSERT_EQ(link(snapped(shared)), text);
         ASSERT_EQ(snapped(back), back);
-        ASSERT_LE(text.size(), LONGEST_LINK);
+        ASSERT_LE(text.size(), MAX_LINK_BYTES);
     }
 }
 
@@ -246,7 +246,7 @@ TEST(LinksTest, ALinkThatIsTooLongIsRefusedAsAWhole)
 {
     State state = opened("turret=30").state;
     const State before = state;
-    const LinkResult result = open_link(state, std::string(LONGEST_LINK + 1, 'a'));
+    const LinkResult result = open_link(state, std::string(MAX_LINK_BYTES + 1, 'a'));
     EXPECT_EQ(result.messages, Messages{"The link is longer than 4096 characters and is not used."});
     EXPECT_EQ(state, before);
     EXPECT_FALSE(result.outcome.opened);

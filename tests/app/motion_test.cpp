@@ -1,6 +1,6 @@
 #include "app/simulation/motion.h"
 
-#include "app/report/json.h"
+#include "app/report/state_json.h"
 #include "app/simulation/simulation.h"
 #include "fixtures.h"
 

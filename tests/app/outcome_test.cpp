@@ -65,7 +65,7 @@ TEST(OutcomeTest, FollowsAShotFromFiringOverItsHitToItsLanding)
     EXPECT_TRUE(steps_until(simulation, 600, &Outcome::hit).hit);
     EXPECT_GT(simulation.touches(), 0u);
     EXPECT_TRUE(simulation.step().animated) << "its sparks fly";
-    EXPECT_TRUE(steps_until(simulation, LONGEST_REPLAY + 2, &Outcome::landed).landed);
+    EXPECT_TRUE(steps_until(simulation, MAX_REPLAY_TICKS + 2, &Outcome::landed).landed);
     EXPECT_FALSE(simulation.state().shot.flies);
 }
 

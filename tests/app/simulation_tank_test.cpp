@@ -1,7 +1,7 @@
 // A simulation whose tank becomes another one while it runs.
 #include "app/simulation/simulation.h"
 
-#include "app/report/json.h"
+#include "app/report/state_json.h"
 #include "assets/users_tank.h"
 #include "original_set.h"
 

@@ -46,7 +46,7 @@ TEST(UpdateTest, HoldingForTicksMovesByRateTimesTime)
         steps(state, 17);
         expect_done(state, command.name, 0.0);
         steps(state, 10);
-        for (const Move& move : command.used_moves()) {
+        for (const Move& move : command.moves) {
             const Field& moved = field(move.field);
             const double expected = moved.get(start) + 17.0 * move.rate / 60.0;
             EXPECT_NEAR(moved.get(state), std::clamp(expected, moved.minimum, moved.maximum), 1e-12)
@@ -73,7 +73,7 @@ TEST(UpdateTest, HoldingReachesTheLimitsAndNeverPassesThem)
                 ASSERT_LE(field.get(state), field.maximum) << command.name;
             }
         }
-        const Move& last = command.moves[command.move_count - 1]; // heading 0: z is the way ahead
+        const Move& last = command.moves.back(); // heading 0: z is the way ahead
         const Field& moved = field(last.field);
         if (!moved.wraps) {
             EXPECT_EQ(moved.get(state), last.rate > 0.0 ? moved.maximum : moved.minimum) << command.name;

@@ -214,9 +214,9 @@ TEST(Views, FourShowTheFrontTheLeftSideTheTopAndWhatOrbitShows)
 {
     const State state = state_of("view=four&heading=35&x=4");
     const Frame frame = make_frame(state, assets::own_assets());
-    ASSERT_EQ(frame.used_panes().size(), 4u);
+    ASSERT_EQ(frame.panes.size(), 4u);
     const glm::dvec3 left(ahead(state).z, 0.0, -ahead(state).x);
-    const std::span<const PaneInFrame> panes = frame.used_panes();
+    const std::span<const PaneInFrame> panes = frame.panes;
     expect_near(forward_of(panes[0].camera), -ahead(state), 1e-9);
     expect_near(forward_of(panes[1].camera), -left, 1e-9);
     expect_near(forward_of(panes[2].camera), {0.0, -1.0, 0.0}, 1e-9);
@@ -229,7 +229,7 @@ TEST(Views, FourShowTheFrontTheLeftSideTheTopAndWhatOrbitShows)
                               std::tan(0.5 * pane.camera.field_of_view);
         EXPECT_NEAR(height, 2.0 * state.camera.distance * std::tan(std::numbers::pi / 8.0), 1e-9);
     }
-    EXPECT_EQ(make_frame(state_of("view=follow"), assets::own_assets()).used_panes().size(), 1u);
+    EXPECT_EQ(make_frame(state_of("view=follow"), assets::own_assets()).panes.size(), 1u);
 }
 
 TEST(Views, FourHaveNoAim)
@@ -272,7 +272,7 @@ TEST(Views, TheEyeIsAboveTheGroundInAll)
     for (int i = 0; i < 2000; ++i) {
         const State state = random_state(random);
         const Frame frame = make_frame(state, assets::own_assets());
-        for (const PaneInFrame& pane : frame.used_panes()) {
+        for (const PaneInFrame& pane : frame.panes) {
             EXPECT_GT(pane.camera.eye.y, 0.0) << link(state);
             EXPECT_LT(pane.camera.near_plane, pane.camera.far_plane);
         }
@@ -281,9 +281,9 @@ TEST(Views, TheEyeIsAboveTheGroundInAll)
 
 TEST(Views, NarrowWindowsShowMoreFromBottomToTop)
 {
-    EXPECT_EQ(heightening(1.6), 1.0);
-    EXPECT_EQ(heightening(1.25), 1.0);
-    EXPECT_NEAR(heightening(0.625), 2.0, 1e-12);
+    EXPECT_EQ(vertical_fov_scale(1.6), 1.0);
+    EXPECT_EQ(vertical_fov_scale(1.25), 1.0);
+    EXPECT_NEAR(vertical_fov_scale(0.625), 2.0, 1e-12);
 }
 
 } // namespace

@@ -188,7 +188,7 @@ TEST(ReadImageRefuses, ATgaStoredFromRightToLeft)
 TEST(ReadImageRefuses, AHugeFile)
 {
     EXPECT_TRUE(
-        contains(refusal(Bytes(image::max_image_file_bytes + 1)), "128 MB and at most 128 MB are read"));
+        contains(refusal(Bytes(image::MAX_IMAGE_FILE_BYTES + 1)), "128 MB and at most 128 MB are read"));
 }
 
 } // namespace

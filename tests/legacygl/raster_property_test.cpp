@@ -69,11 +69,11 @@ private:
 
     void state()
     {
-        constexpr GLenum modes[] = {GL_POINT, GL_LINE, GL_FILL},
+        constexpr GLenum MODES[] = {GL_POINT, GL_LINE, GL_FILL},
                          faces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
         switch (pick(12)) {
         case 0: {
-            const GLenum face = faces[pick(3)], mode = modes[pick(3)];
+            const GLenum face = faces[pick(3)], mode = MODES[pick(3)];
             return glPolygonMode(face, mode);
         }
         case 1: {

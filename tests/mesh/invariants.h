@@ -59,13 +59,13 @@ inline std::string broken_invariant(const mesh::ObjMesh& m)
     if (m.faces.empty()) {
         return "there are no faces";
     }
-    return m.faces.size() > mesh::max_obj_triangles ? "there are too many faces" : "";
+    return m.faces.size() > mesh::MAX_OBJ_TRIANGLES ? "there are too many faces" : "";
 }
 
 inline std::string broken_invariant(const image::Image& image)
 {
-    if (image.width < 1 || image.height < 1 || image.width > image::max_image_side ||
-        image.height > image::max_image_side) {
+    if (image.width < 1 || image.height < 1 || image.width > image::MAX_IMAGE_SIDE ||
+        image.height > image::MAX_IMAGE_SIDE) {
         return "the size is out of range";
     }
     if (image.channels != 3 && image.channels != 4) {

@@ -53,7 +53,7 @@ TEST(CompleteNormals, IsFlatWithSmoothingOffOrUnreadable)
 TEST(CompleteNormals, MeansTheNormalsThatMeetInASmoothingGroup)
 {
     const ObjMesh m = read(two_squares + "s 1\n" + both_faces);
-    const float half = std::sqrt(0.5F);
+    const float half = std::sqrt(0.5f);
     for (std::size_t face = 0; face < m.faces.size(); ++face) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const bool on_edge = m.positions[m.faces[face].vertices[corner].position].x == 0 &&
@@ -90,7 +90,7 @@ TEST(CompleteNormals, WeighsByAngleSoThatTheCuttingOfPolygonsDoesNotMatter)
     const std::string corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 0\nv 1 0 1\nv 0 1 1\ns 1\n";
     const ObjMesh quads = read(corner + "f 1 3 5 2\nf 1 4 7 3\nf 1 2 6 4\n");
     const ObjMesh triangles = read(corner + "f 1 3 5\nf 1 5 2\nf 4 7 3\nf 1 4 3\nf 1 2 4\nf 2 6 4\n");
-    const glm::vec3 outwards = glm::vec3(-1) / std::sqrt(3.0F);
+    const glm::vec3 outwards = glm::vec3(-1) / std::sqrt(3.0f);
     expect_near(normal_at(quads, 0, 0), outwards);
     expect_near(normal_at(triangles, 0, 0), outwards);
 }

@@ -28,9 +28,9 @@ struct Cut
 Cut cut(const Outline& outline)
 {
     Cut result;
-    long long steps_left = mesh::max_polygon_steps;
+    long long steps_left = mesh::MAX_POLYGON_STEPS;
     EXPECT_TRUE(mesh::triangulate_polygon(outline, result.triangles, steps_left));
-    result.steps = mesh::max_polygon_steps - steps_left;
+    result.steps = mesh::MAX_POLYGON_STEPS - steps_left;
     return result;
 }
 
@@ -293,63 +293,63 @@ TEST(TriangulatePolygon, CutsAnyPolygonThatCrossesItselfSomehow)
 
 // Large polygons: the work must not grow with the square of the number of corners.
 
-constexpr int many = 20'000;
+constexpr int MANY_CORNERS = 20'000;
 constexpr long long steps_a_corner =
     150; // some searches of 13 levels; a corner compared with all others takes 20,000
 
 TEST(TriangulatePolygon, CutsALargeRegularPolygonInGoodTime)
 {
     Outline outline;
-    for (int i = 0; i < many; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / many;
+    for (int i = 0; i < MANY_CORNERS; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / MANY_CORNERS;
         outline.emplace_back(std::cos(angle), 0.5, std::sin(angle)); // rounded, it is not quite convex
     }
     const Cut result = cut(outline);
     expect_cut_along_inner_edges(outline, result.triangles);
     expect_covered_once(outline, result.triangles, 1e-10);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, CutsALargeStarInGoodTime)
 {
     Outline outline;
-    for (int i = 0; i < many; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / many;
+    for (int i = 0; i < MANY_CORNERS; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / MANY_CORNERS;
         const double radius = i % 2 == 0 ? 1000 : 10;
         outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
     }
     const Cut result = cut(outline);
     expect_cut_along_inner_edges(outline, result.triangles);
     expect_covered_once(outline, result.triangles);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, CutsALargeCombInGoodTime)
 {
     std::vector<glm::vec2> p;
-    for (int i = 0; i < many / 2; ++i) {
+    for (int i = 0; i < MANY_CORNERS / 2; ++i) {
         p.emplace_back(float(i), 0);
-        p.emplace_back(float(i) + 0.5F, 5000);
+        p.emplace_back(float(i) + 0.5f, 5000);
     }
-    p.emplace_back(float(many), -1);
+    p.emplace_back(float(MANY_CORNERS), -1);
     const Cut result = cut(flat(p));
     expect_covered_once(flat(p), result.triangles);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, CutsALargeSpiralInGoodTime)
 {
     std::vector<glm::vec2> p;
-    for (int i = 0; i < many; ++i) // out along one side of the band, back along the other
+    for (int i = 0; i < MANY_CORNERS; ++i) // out along one side of the band, back along the other
     {
-        const int along = i < many / 2 ? i : many - 1 - i;
+        const int along = i < MANY_CORNERS / 2 ? i : MANY_CORNERS - 1 - i;
         const double angle = along * 0.02;
-        const double radius = 10 + angle + (i < many / 2 ? 0 : 2);
+        const double radius = 10 + angle + (i < MANY_CORNERS / 2 ? 0 : 2);
         p.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     const Cut result = cut(flat(p));
     expect_covered_once(flat(p), result.triangles);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, GivesUpOnALargeTangleBeforeItTakesLong)
@@ -360,9 +360,9 @@ TEST(TriangulatePolygon, GivesUpOnALargeTangleBeforeItTakesLong)
         outline.emplace_back(float(random() % 1000), float(random() % 1000), 0);
     }
     std::vector<CornerTriangle> triangles;
-    long long steps_left = mesh::max_polygon_steps;
+    long long steps_left = mesh::MAX_POLYGON_STEPS;
     EXPECT_FALSE(mesh::triangulate_polygon(outline, triangles, steps_left));
-    EXPECT_LT(-steps_left, mesh::max_polygon_steps / 100); // it stops soon after it has used them up
+    EXPECT_LT(-steps_left, mesh::MAX_POLYGON_STEPS / 100); // it stops soon after it has used them up
 }
 
 } // namespace

@@ -28,8 +28,7 @@ constexpr Command hold(std::string_view name, std::string_view title, Group grou
             .group = group,
             .kind = CommandKind::hold,
             .keys = keys,
-            .moves = {first},
-            .move_count = 1};
+            .moves = {first}};
 }
 
 constexpr Command hold(std::string_view name, std::string_view title, Group group, Keys keys, Move first,
@@ -40,8 +39,7 @@ constexpr Command hold(std::string_view name, std::string_view title, Group grou
             .group = group,
             .kind = CommandKind::hold,
             .keys = keys,
-            .moves = {first, second},
-            .move_count = 2};
+            .moves = {first, second}};
 }
 
 constexpr Command drive(std::string_view name, std::string_view title, Keys keys, double speed)
@@ -52,12 +50,7 @@ constexpr Command drive(std::string_view name, std::string_view title, Keys keys
 
 constexpr Command add(std::string_view name, std::string_view title, Group group, Move move)
 {
-    return {.name = name,
-            .title = title,
-            .group = group,
-            .kind = CommandKind::add,
-            .moves = {move},
-            .move_count = 1};
+    return {.name = name, .title = title, .group = group, .kind = CommandKind::add, .moves = {move}};
 }
 
 constexpr Command press(std::string_view name, std::string_view title, Group group, Keys keys,
@@ -244,7 +237,7 @@ constexpr Command OWN_COMMANDS[] = {
     press("release_all", "Let go of everything held", Group::program, {}, release_all),
 };
 
-static_assert(std::size(OWN_COMMANDS) <= MAXIMUM_HELD_COMMANDS);
+static_assert(std::size(OWN_COMMANDS) <= MAX_HELD_COMMANDS);
 
 std::vector<Command> make_commands()
 {
@@ -254,16 +247,14 @@ std::vector<Command> make_commands()
                             .title = field.title,
                             .group = field.group,
                             .kind = CommandKind::set,
-                            .moves = {Move{field.id}},
-                            .move_count = 1});
+                            .moves = {Move{field.id}}});
     }
     for (const FieldAlias& alias : field_aliases()) {
         commands.push_back({.name = alias.name,
                             .title = alias.title,
                             .group = field(alias.fields[0]).group,
                             .kind = CommandKind::set,
-                            .moves = {Move{alias.fields[0]}, Move{alias.fields[1]}},
-                            .move_count = alias.fields.size()});
+                            .moves = {Move{alias.fields[0]}, Move{alias.fields[1]}}});
     }
     return commands;
 }

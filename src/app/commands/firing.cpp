@@ -18,10 +18,10 @@ namespace app {
 namespace {
 
 /// So long is a line that is laid by aiming, at most. Metres.
-constexpr double LONGEST_AIMED_LINE = 20.0;
+constexpr double MAX_AIMED_LINE = 20.0;
 
 /// Further along a direction of length 1 than anything is.
-constexpr double LARGEST_PARAMETER = 1e6;
+constexpr double MAX_PARAMETER = 1e6;
 
 /// The parameters between which a ray is within reach.
 struct Span
@@ -34,7 +34,7 @@ struct Span
 std::optional<Span> within_reach(const glm::dvec3& origin, const glm::dvec3& direction)
 {
     const ProjectileBounds box = projectile_bounds();
-    Span span{0.0, LARGEST_PARAMETER};
+    Span span{0.0, MAX_PARAMETER};
     for (int axis = 0; axis < 3; ++axis) {
         if (direction[axis] == 0.0) {
             if (origin[axis] < box.low[axis] || origin[axis] > box.high[axis]) {
@@ -123,7 +123,7 @@ Outcome fire_at_aim(State& state, const assets::Assets& assets)
     if (!span || span->to - span->from < 0.01) {
         return Outcome::refused("The projectile cannot be anywhere on the way that is aimed along.");
     }
-    const double end = std::min(span->to, span->from + LONGEST_AIMED_LINE);
+    const double end = std::min(span->to, span->from + MAX_AIMED_LINE);
     State aimed = state;
     using enum FieldId;
     set_on_grid(aimed, {line_ax, line_ay, line_az}, way.from + span->from * way.direction);

@@ -14,10 +14,10 @@ namespace app {
 namespace {
 
 /// More than this many steps at once reach every limit of a relative move anyway.
-constexpr double MOST_RELATIVE_STEPS = 200.0;
+constexpr double MAX_RELATIVE_STEPS = 200.0;
 
 /// An amount beyond this reaches every limit, and cannot overflow.
-constexpr double LARGEST_AMOUNT = 1e9;
+constexpr double MAX_AMOUNT = 1e9;
 
 /// Multiplies by 1 + growth, or divides by 1 - growth when growth < 0, so that both directions undo each
 /// other.
@@ -30,7 +30,7 @@ double grown(double value, double growth)
 double grown_times(double value, double growth, double times)
 {
     const double towards = times < 0.0 ? -growth : growth;
-    const double size = std::min(std::fabs(times), MOST_RELATIVE_STEPS);
+    const double size = std::min(std::fabs(times), MAX_RELATIVE_STEPS);
     const int whole = static_cast<int>(size);
     for (int i = 0; i < whole; ++i) {
         value = grown(value, towards);
@@ -83,7 +83,7 @@ void add(State& state, const Move& move, double amount, FieldSet& changed)
 {
     const auto [target, factor] = moved_by(state, move);
     const double old = target.get(state);
-    const double bounded = std::clamp(amount, -LARGEST_AMOUNT, LARGEST_AMOUNT);
+    const double bounded = std::clamp(amount, -MAX_AMOUNT, MAX_AMOUNT);
     const double moved =
         move.relative ? grown_times(old, move.rate, bounded) : old + bounded * move.rate * factor;
     change(state, target, within_limits(target, moved), changed);
@@ -161,12 +161,12 @@ Outcome execute(State& state, const assets::Assets& assets, const Command& comma
     case CommandKind::press:
         return value == 1.0 ? press(state, assets, command) : outcome;
     case CommandKind::add:
-        for (const Move& move : command.used_moves()) {
+        for (const Move& move : command.moves) {
             add(state, move, value, outcome.fields);
         }
         break;
     case CommandKind::set:
-        for (const Move& move : command.used_moves()) {
+        for (const Move& move : command.moves) {
             const Field& target = field(move.field);
             const double old = target.get(state);
             set_grid_value(target, state, to_grid_from_unit(target, value));
@@ -211,7 +211,7 @@ Outcome step(State& state, const assets::Assets& assets)
         if (!state.held[i]) {
             continue;
         }
-        for (const Move& move : all[i].used_moves()) {
+        for (const Move& move : all[i].moves) {
             if (move.along_heading) {
                 forward += move.field == FieldId::z ? move.rate : 0.0; // x goes along
                 continue;

@@ -95,7 +95,7 @@ Replay read_replay(std::span<const Item> items, Replay replay, Messages& message
             replay.kind = static_cast<EventKind>(found - EVENT_NAMES.begin());
             has_kind = true;
         } else if (item.key == "tick") {
-            if (const auto tick = read_count(item, 0, LONGEST_REPLAY, messages)) {
+            if (const auto tick = read_count(item, 0, MAX_REPLAY_TICKS, messages)) {
                 replay.tick = *tick;
                 is_asked = true;
             }
@@ -243,8 +243,8 @@ State snapped(const State& state)
 LinkResult open_link(State& state, std::string_view fragment)
 {
     Messages messages;
-    if (fragment.size() > LONGEST_LINK) {
-        messages.add("The link is longer than " + base::write_decimal(LONGEST_LINK, 0) +
+    if (fragment.size() > MAX_LINK_BYTES) {
+        messages.add("The link is longer than " + base::write_decimal(MAX_LINK_BYTES, 0) +
                      " characters and is not used.");
         return {.messages = messages.take(), .outcome = {}};
     }

@@ -12,7 +12,7 @@
 namespace app {
 
 /// A longer fragment is refused as a whole. Bytes.
-constexpr std::size_t LONGEST_LINK = 4096;
+constexpr std::size_t MAX_LINK_BYTES = 4096;
 
 /// Says what came of a link.
 struct LinkResult
@@ -28,11 +28,11 @@ std::string link(const State& state);
 
 /// Replaces the state by the one a fragment describes.
 /// A task or figure is loaded first; the other keys change what it begins with, the last of equal keys
-/// winning. `event` (open or fire) happens in what these give, `tick` steps ago, at most LONGEST_REPLAY, with
-/// the random numbers of `seed`; a tick or a seed alone means the event `open`. Unknown keys and bad values
-/// are named and ignored, values beyond a limit are clamped and named, the rest is used. A leading '#', '&'
-/// or ';' between items, empty items, percent-encoding, spaces and signs
-/// '+' are all right. A fragment longer than LONGEST_LINK is named and leaves the state as it was.
+/// winning. `event` (open or fire) happens in what these give, `tick` steps ago, at most MAX_REPLAY_TICKS,
+/// with the random numbers of `seed`; a tick or a seed alone means the event `open`. Unknown keys and bad
+/// values are named and ignored, values beyond a limit are clamped and named, the rest is used. A leading
+/// '#', '&' or ';' between items, empty items, percent-encoding, spaces and signs
+/// '+' are all right. A fragment longer than MAX_LINK_BYTES is named and leaves the state as it was.
 LinkResult open_link(State& state, std::string_view fragment);
 
 /// Returns the state that a link of this one gives back: its fields on the grid, its task, its event with the

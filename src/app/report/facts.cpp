@@ -172,7 +172,7 @@ std::vector<Fact> facts(const Simulation& simulation)
 {
     std::vector<Fact> facts;
     if (!simulation.state().task) {
-        const lod::Level level = simulation.frame().tanks[0].level;
+        const lod::Level level = simulation.shown_level();
         facts.push_back({"Level", std::string(lod::level_name(level))});
         facts.push_back({"Triangles", std::to_string(triangles(simulation, level))});
         add_hits(facts, simulation);
@@ -185,6 +185,13 @@ std::vector<Fact> facts(const Simulation& simulation)
         facts.push_back({"Tank", "your own, scaled by " + base::factor_text(simulation.assets().scale)});
     }
     return facts;
+}
+
+std::size_t triangles_drawn(const Simulation& simulation)
+{
+    const bool is_low_besides = simulation.state().show.detail == Detail::both;
+    return triangles(simulation, simulation.shown_level()) +
+           (is_low_besides ? triangles(simulation, lod::Level::low) : 0);
 }
 
 } // namespace app

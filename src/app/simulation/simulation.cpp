@@ -215,6 +215,20 @@ lod::Level Simulation::level() const
     return level_.level;
 }
 
+lod::Level Simulation::shown_level() const
+{
+    switch (state_.show.detail) {
+    case Detail::automatic:
+        return level();
+    case Detail::low:
+        return lod::Level::low;
+    case Detail::high:
+    case Detail::both:
+        break;
+    }
+    return lod::Level::high;
+}
+
 std::uint64_t Simulation::hash() const
 {
     std::uint64_t hash = app::hash(state_);

@@ -75,6 +75,9 @@ public:
     /// Returns the parts whose joints move right now: see Motion::parts().
     collision::PartSet moving_parts() const { return motion_.parts(assets_->layout); }
 
+    /// Returns the level of the tank that is drawn; of both side by side, the first one's.
+    lod::Level shown_level() const;
+
     /// Returns the level by distance, with its memory, and how often it has switched since the last opening.
     lod::Level level() const;
     std::uint64_t level_switches() const { return level_switches_; }

@@ -11,7 +11,7 @@ namespace {
 using particles::ParticleSystem;
 using particles::PresetName;
 
-const glm::vec3 AT_REST(0.0F);
+const glm::vec3 AT_REST(0.0f);
 
 void set_up(ParticleSystem& system, PresetName name)
 {

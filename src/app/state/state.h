@@ -52,7 +52,7 @@ struct ParticleShow
 };
 
 /// At most this many rows of the table of commands can be held.
-constexpr std::size_t MAXIMUM_HELD_COMMANDS = 128;
+constexpr std::size_t MAX_HELD_COMMANDS = 128;
 
 /// Seeds are from 1 to this; a firing takes the next one.
 constexpr std::uint64_t FIRST_SEED = 1;
@@ -81,10 +81,10 @@ struct State
     ParticleShow particles;
     Shot shot;
     Event event;
-    std::optional<std::size_t> task;         ///< the row of tasks() that the state was opened with
-    std::bitset<MAXIMUM_HELD_COMMANDS> held; ///< by row of commands()
-    std::uint64_t tick = 0;                  ///< steps of 1/60 s since the state was opened
-    std::uint64_t seed = FIRST_SEED;         ///< of the random numbers since the event
+    std::optional<std::size_t> task;     ///< the row of tasks() that the state was opened with
+    std::bitset<MAX_HELD_COMMANDS> held; ///< by row of commands()
+    std::uint64_t tick = 0;              ///< steps of 1/60 s since the state was opened
+    std::uint64_t seed = FIRST_SEED;     ///< of the random numbers since the event
 
     /// Makes the state that an empty link describes: every field has its default from the table of fields.
     State();

@@ -26,7 +26,7 @@ class Es3Backend final : public Backend
 {
 public:
     Es3Backend(const Es3Functions& functions, int width, int height, LegacyGLTarget target)
-        : gl_(functions), target_(gl_, covering_, target, width, height)
+        : gl_(functions), target_(gl_, fullscreen_pass_, target, width, height)
     {
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum_texture_size);
         std::array<GLint, 2> viewport{};
@@ -40,7 +40,7 @@ public:
         geometries_.clear();
         programs_.clear();
         target_.destroy();
-        covering_.destroy();
+        fullscreen_pass_.destroy();
     }
 
     ProgramId create_program(const ProgramText& text) override
@@ -209,7 +209,7 @@ public:
         geometries_.forget();
         batch_.begin(1);
         target_.forget();
-        covering_.forget();
+        fullscreen_pass_.forget();
         clips_lines_.reset();
         lost_ = true;
     }
@@ -340,9 +340,9 @@ private:
     }
 
     const Es3Functions gl_;
-    Es3Covering covering_{gl_};
+    Es3FullscreenPass fullscreen_pass_{gl_};
     Es3Target target_;
-    Es3DepthReader depth_reader_{gl_, covering_};
+    Es3DepthReader depth_reader_{gl_, fullscreen_pass_};
     Es3FixedState fixed_{gl_, target_};
     Es3Programs programs_{gl_, counters};
     Es3Textures textures_{gl_, counters};

@@ -110,8 +110,8 @@ std::vector<std::uint32_t> Es3DepthReader::decode(const Copy& copy, int excess, 
 {
     copy.attach_depths(0); // They may not be read and attached.
     gl_.BindTexture(GL_TEXTURE_2D, copy.textures[1]);
-    gl_.Uniform1i(gl_.GetUniformLocation(covering_.use(DEPTH_FRAGMENT), "excess"), excess);
-    covering_.draw();
+    gl_.Uniform1i(gl_.GetUniformLocation(fullscreen_pass_.use(DEPTH_FRAGMENT), "excess"), excess);
+    fullscreen_pass_.draw();
     copy.attach_depths(copy.textures[1]);
     const std::vector<std::uint8_t> rgba = copy.read(from);
     std::vector<std::uint32_t> depths(rgba.size() / 4);
@@ -156,7 +156,7 @@ bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::u
     }
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
-    covering_.use(WHITE_FRAGMENT);
+    fullscreen_pass_.use(WHITE_FRAGMENT);
     gl_.Enable(GL_STENCIL_TEST);
     gl_.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl_.Enable(GL_BLEND);
@@ -165,7 +165,7 @@ bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::u
     for (int bit = 1; bit < 256; bit *= 2) { // Each bit that is set adds itself.
         gl_.StencilFunc(GL_EQUAL, bit, static_cast<GLuint>(bit));
         gl_.BlendColor(static_cast<float>(bit) / 255.0f, 0, 0, 0);
-        covering_.draw();
+        fullscreen_pass_.draw();
     }
     const std::vector<std::uint8_t> rgba = copy.read(from);
     for (std::size_t i = 0; i < values.size(); ++i) {

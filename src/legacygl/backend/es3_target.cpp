@@ -19,9 +19,9 @@ void main()
 
 } // namespace
 
-Es3Target::Es3Target(const Es3Functions& gl, Es3Covering& covering, LegacyGLTarget kind, int width,
-                     int height)
-    : gl_(gl), covering_(covering), kind_(kind), width_(width), height_(height)
+Es3Target::Es3Target(const Es3Functions& gl, Es3FullscreenPass& fullscreen_pass, LegacyGLTarget kind,
+                     int width, int height)
+    : gl_(gl), fullscreen_pass_(fullscreen_pass), kind_(kind), width_(width), height_(height)
 {
     GLint given = 0;
     gl_.GetIntegerv(GL_FRAMEBUFFER_BINDING, &given);
@@ -58,8 +58,8 @@ GLuint Es3Target::make_framebuffer(const Buffers& buffers, Which which)
     attach(GL_COLOR_ATTACHMENT0, buffers.colors[which == front ? front : back]);
     if (which == both) {
         attach(GL_COLOR_ATTACHMENT1, buffers.colors[front]);
-        constexpr GLenum draw_buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-        gl_.DrawBuffers(2, draw_buffers);
+        constexpr GLenum DRAW_BUFFERS[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+        gl_.DrawBuffers(2, DRAW_BUFFERS);
     }
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                                 buffers.depth_stencil);
@@ -167,8 +167,8 @@ void Es3Target::show_front()
     gl_.Viewport(0, 0, width_, height_);
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, buffers_.colors[doubled() ? front : back]);
-    covering_.use(COPY_FRAGMENT);
-    covering_.draw();
+    fullscreen_pass_.use(COPY_FRAGMENT);
+    fullscreen_pass_.draw();
 }
 
 void Es3Target::destroy()

@@ -67,7 +67,7 @@ void Context::draw_vertices()
 
 void Context::call_list(GLuint name)
 {
-    if (list_depth >= MAXIMUM_LIST_NESTING) {
+    if (list_depth >= MAX_LIST_NESTING_DEPTH) {
         return;
     }
     if (DisplayList* list = lists.find(name)) {

@@ -18,7 +18,7 @@
 namespace legacygl {
 
 /// How deep lists may call lists.
-constexpr int MAXIMUM_LIST_NESTING = 64;
+constexpr int MAX_LIST_NESTING_DEPTH = 64;
 
 /// One OpenGL: its state, its lists, and what draws for it.
 struct Context

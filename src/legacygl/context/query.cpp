@@ -20,11 +20,11 @@ struct Constant
 
 constexpr Constant CONSTANTS[] = {
     {GL_MAX_LIGHTS, Kind::integer, LIGHT_COUNT},
-    {GL_MAX_LIST_NESTING, Kind::integer, MAXIMUM_LIST_NESTING},
+    {GL_MAX_LIST_NESTING, Kind::integer, MAX_LIST_NESTING_DEPTH},
     {GL_MAX_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
     {GL_MAX_TEXTURE_UNITS, Kind::integer, TEXTURE_UNIT_COUNT},
-    {GL_MAX_TEXTURE_LOD_BIAS, Kind::real, static_cast<double>(MAXIMUM_TEXTURE_LOD_BIAS)},
+    {GL_MAX_TEXTURE_LOD_BIAS, Kind::real, static_cast<double>(MAX_LOD_BIAS)},
     {GL_MAX_ELEMENTS_INDICES, Kind::integer, 3000},
     {GL_MAX_ELEMENTS_VERTICES, Kind::integer, 3000},
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, Kind::integer, 0},
@@ -171,12 +171,12 @@ QueryValue query_other(const Context& gl, GLenum name)
         return integer(gl.backend->maximum_texture_size);
     case GL_POINT_SIZE_RANGE:
     case GL_ALIASED_POINT_SIZE_RANGE: {
-        std::array<GLfloat, 2> sizes{1, MAXIMUM_POINT_SIZE};
+        std::array<GLfloat, 2> sizes{1, MAX_POINT_SIZE};
         return QueryValue(StateField(sizes));
     }
     case GL_LINE_WIDTH_RANGE:
     case GL_ALIASED_LINE_WIDTH_RANGE: {
-        std::array<GLfloat, 2> widths{1, MAXIMUM_LINE_WIDTH};
+        std::array<GLfloat, 2> widths{1, MAX_LINE_WIDTH};
         return QueryValue(StateField(widths));
     }
     case GL_MAX_VIEWPORT_DIMS: {

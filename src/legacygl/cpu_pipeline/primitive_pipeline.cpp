@@ -196,7 +196,7 @@ void PrimitivePipeline::triangle(Triangle& t, std::uint32_t edges, bool begins)
 /// Polygon offset (OpenGL 1.5, 3.5.5), at the vertices.
 void PrimitivePipeline::offset(Triangle& t, float area, GLenum mode) const
 {
-    constexpr float SMALLEST_DEPTH_STEP = 2.0f / 16777215.0f; // Of 24 bits, as Mesa counts them.
+    constexpr float MIN_DEPTH_STEP = 2.0f / 16777215.0f; // Of 24 bits, as Mesa counts them.
     const RasterState& raster = state_.raster;
     const bool enabled = mode == GL_POINT  ? raster.polygon_offset_point
                          : mode == GL_LINE ? raster.polygon_offset_line
@@ -210,7 +210,7 @@ void PrimitivePipeline::offset(Triangle& t, float area, GLenum mode) const
         slope =
             std::max(std::fabs((e.y * f.z - e.z * f.y) / area), std::fabs((e.z * f.x - e.x * f.z) / area));
     }
-    const float by = raster.polygon_offset_units * SMALLEST_DEPTH_STEP + slope * raster.polygon_offset_factor;
+    const float by = raster.polygon_offset_units * MIN_DEPTH_STEP + slope * raster.polygon_offset_factor;
     for (ShadedVertex& v : t) {
         v.window.z = std::min(std::max(v.window.z + by, 0.0f), 1.0f);
         v.moved = true;
@@ -269,7 +269,7 @@ void PrimitivePipeline::draw_line(const ShadedVertex& a, const ShadedVertex& b, 
         return out_.line(a, b, work_.beyond_viewport);
     }
     std::array<LineCorner, 4> corners;
-    if (!line_corners(a.window, b.window, std::min(state_.raster.line_width, MAXIMUM_LINE_WIDTH), corners)) {
+    if (!line_corners(a.window, b.window, std::min(state_.raster.line_width, MAX_LINE_WIDTH), corners)) {
         return;
     }
     std::array<ShadedVertex, 4> vertices;

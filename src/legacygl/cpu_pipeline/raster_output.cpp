@@ -115,8 +115,8 @@ void RasterOutput::quadrilateral(Coverage coverage, const std::array<ShadedVerte
 {
     begin({PrimitiveClass::triangles, coverage, false, true, 0, 0, {}}, box_of(corners, 0));
     // Cut as Mesa cuts it: a smooth line's corners are given as those of a strip.
-    constexpr std::array<std::size_t, 6> around = {0, 1, 2, 0, 2, 3}, strip = {2, 1, 0, 3, 1, 2};
-    for (const std::size_t i : coverage == Coverage::line ? strip : around) {
+    constexpr std::array<std::size_t, 6> FAN = {0, 1, 2, 0, 2, 3}, STRIP = {2, 1, 0, 3, 1, 2};
+    for (const std::size_t i : coverage == Coverage::line ? STRIP : FAN) {
         add(viewport_.clip(corners[i].window, VIEWPORT_MARGIN), values[i], corners[i].varyings);
     }
 }

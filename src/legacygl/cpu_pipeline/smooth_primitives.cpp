@@ -15,7 +15,7 @@ void add_smooth_line(const ShadedVertex& a, const ShadedVertex& b, float width, 
         return;
     }
     const float c = dx / length, s = dy / length;
-    const float clamped_width = std::min(std::max(width, 1.0f), MAXIMUM_LINE_WIDTH);
+    const float clamped_width = std::min(std::max(width, 1.0f), MAX_LINE_WIDTH);
     const float half_width = clamped_width <= 1 ? 1.0f : 0.5f * clamped_width + 0.5f;
     const float half_length = 0.5f * length + 0.5f;
     std::array<ShadedVertex, 4> corners = {a, a, b, b};

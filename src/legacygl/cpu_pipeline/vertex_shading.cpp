@@ -135,8 +135,7 @@ float VertexShading::point_size(const glm::vec4& eye) const
     const std::array<float, 3>& a = parameters.attenuation;
     const float attenuated =
         1.0f / std::sqrt(distance * (distance * a[2] + a[1]) + a[0]) * state_.raster.point_size;
-    return std::min(std::min(std::max(attenuated, parameters.minimum), parameters.maximum),
-                    MAXIMUM_POINT_SIZE);
+    return std::min(std::min(std::max(attenuated, parameters.minimum), parameters.maximum), MAX_POINT_SIZE);
 }
 
 void VertexShading::place(const glm::vec4& position, ShadedVertex& vertex) const

@@ -65,8 +65,8 @@ QueryValue material_value(const Material& material, GLenum name)
     case GL_SHININESS:
         return values(Kind::real, &material.shininess, 1);
     case GL_COLOR_INDEXES: { // Never changed: a target has colours.
-        constexpr float initial[] = {0, 1, 1};
-        return values(Kind::real, initial, 3);
+        constexpr float INITIAL[] = {0, 1, 1};
+        return values(Kind::real, INITIAL, 3);
     }
     default:
         return {};

@@ -1,7 +1,7 @@
 // The render mode, of which there is one so far, and names, which it ignores (OpenGL 1.5, 5.2 and 5.3).
 
 #include "legacygl/context/dispatch.h"
-#include "legacygl/context/undone.h"
+#include "legacygl/context/unimplemented.h"
 
 using namespace legacygl;
 

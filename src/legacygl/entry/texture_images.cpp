@@ -1,7 +1,7 @@
 // Images of textures and of their parts (OpenGL 1.5, 3.8.1 and 3.8.2).
 
 #include "legacygl/context/dispatch.h"
-#include "legacygl/context/undone.h"
+#include "legacygl/context/unimplemented.h"
 #include "legacygl/pixel/pixel_conversion.h"
 #include "legacygl/pixel/texture_image.h"
 #include "legacygl/pixel/texture_targets.h"

@@ -131,8 +131,8 @@ template <class T> T from_scaled(float value)
 {
     if constexpr (std::is_same_v<T, GLuint>) {
         // 2^32 is not a value of the type, but the float next to its greatest.
-        constexpr auto greatest = std::numeric_limits<GLuint>::max();
-        return value >= static_cast<float>(greatest) ? greatest : static_cast<T>(value);
+        constexpr auto MAX_VALUE = std::numeric_limits<GLuint>::max();
+        return value >= static_cast<float>(MAX_VALUE) ? MAX_VALUE : static_cast<T>(value);
     } else if constexpr (std::is_same_v<T, GLfloat>) {
         return value;
     } else {

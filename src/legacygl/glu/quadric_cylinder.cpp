@@ -147,7 +147,7 @@ void gluCylinder(GLUquadric* quad, GLdouble base, GLdouble top, GLdouble height,
         return quad->error(GLU_INVALID_VALUE);
     }
     const Cylinder cylinder(*quad, base, narrowing, height, length,
-                            slices < MAXIMUM_DIVISIONS ? slices : MAXIMUM_DIVISIONS, stacks);
+                            slices < MAX_DIVISIONS ? slices : MAX_DIVISIONS, stacks);
     switch (quad->draw_style) {
     case GLU_FILL:
         return cylinder.fill();

@@ -160,8 +160,8 @@ void gluPartialDisk(GLUquadric* quad, GLdouble inner, GLdouble outer, GLint slic
     if (quad->normals != GLU_NONE) {
         glNormal3f(0, 0, quad->outside() ? 1.0f : -1.0f);
     }
-    const Disk disk(*quad, inner, outer, slices < MAXIMUM_DIVISIONS ? slices : MAXIMUM_DIVISIONS, loops,
-                    start, sweep);
+    const Disk disk(*quad, inner, outer, slices < MAX_DIVISIONS ? slices : MAX_DIVISIONS, loops, start,
+                    sweep);
     switch (quad->draw_style) {
     case GLU_FILL:
         return disk.fill();

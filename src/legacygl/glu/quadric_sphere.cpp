@@ -151,8 +151,8 @@ void gluSphere(GLUquadric* quad, GLdouble radius, GLint slices, GLint stacks)
     if (slices < 2 || stacks < 1 || radius < 0) {
         return quad->error(GLU_INVALID_VALUE);
     }
-    const Sphere sphere(*quad, radius, slices < MAXIMUM_DIVISIONS ? slices : MAXIMUM_DIVISIONS,
-                        stacks < MAXIMUM_DIVISIONS ? stacks : MAXIMUM_DIVISIONS);
+    const Sphere sphere(*quad, radius, slices < MAX_DIVISIONS ? slices : MAX_DIVISIONS,
+                        stacks < MAX_DIVISIONS ? stacks : MAX_DIVISIONS);
     switch (quad->draw_style) {
     case GLU_FILL:
         return sphere.fill();

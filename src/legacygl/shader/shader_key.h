@@ -176,7 +176,7 @@ constexpr int MODEL_AMBIENT = 2 * FACE_SIZE;
 /// 2 specular) is light × material, or the light alone where the material follows the colour.
 constexpr int LIGHT = MODEL_AMBIENT + 1, POSITION = 0, HALF_VECTOR = 1, SPOT = 2, ATTENUATION = 3,
               PRODUCT = 4, LIGHT_SIZE = 10;
-constexpr int MAXIMUM_SIZE = LIGHT + LIGHT_COUNT * LIGHT_SIZE;
+constexpr int MAX_SIZE = LIGHT + LIGHT_COUNT * LIGHT_SIZE;
 constexpr int size(int light_count)
 {
     return LIGHT + light_count * LIGHT_SIZE;

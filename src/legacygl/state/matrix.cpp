@@ -231,7 +231,7 @@ Matrix::Kind Matrix::kind_from_values() const
         }
         return true;
     };
-    constexpr float tolerance = 1e-12f; // (1e-6)², as the squares below are compared.
+    constexpr float TOLERANCE = 1e-12f; // (1e-6)², as the squares below are compared.
 
     content_ = zero({12, 13, 14}) ? 0u : static_cast<std::uint32_t>(translation);
     if (!zero({3, 7, 11}) || m_[15] != 1) {
@@ -246,8 +246,8 @@ Matrix::Kind Matrix::kind_from_values() const
             content_ |= general_scale;
             return Kind::scaled_2d;
         }
-        if (square(m_[0] - m_[5]) < tolerance && square(m_[0] - m_[10]) < tolerance) {
-            if (square(m_[0] - 1.0f) > tolerance) {
+        if (square(m_[0] - m_[5]) < TOLERANCE && square(m_[0] - m_[10]) < TOLERANCE) {
+            if (square(m_[0] - 1.0f) > TOLERANCE) {
                 content_ |= uniform_scale;
             }
         } else {
@@ -259,28 +259,28 @@ Matrix::Kind Matrix::kind_from_values() const
         const float xx = m_[0] * m_[0] + m_[1] * m_[1];
         const float yy = m_[4] * m_[4] + m_[5] * m_[5];
         const float xy = m_[0] * m_[4] + m_[1] * m_[5];
-        if (square(xx - 1) > tolerance || square(yy - 1) > tolerance) {
+        if (square(xx - 1) > TOLERANCE || square(yy - 1) > TOLERANCE) {
             content_ |= general_scale;
         }
-        content_ |= square(xy) > tolerance ? general_3d : rotation;
+        content_ |= square(xy) > TOLERANCE ? general_3d : rotation;
         return Kind::affine;
     }
     const auto dot = [this](int a, int b) {
         return m_[a] * m_[b] + m_[a + 1] * m_[b + 1] + m_[a + 2] * m_[b + 2];
     };
     const float xx = dot(0, 0), yy = dot(4, 4), zz = dot(8, 8), xy = dot(0, 4);
-    if (square(xx - yy) < tolerance && square(xx - zz) < tolerance) {
-        if (square(xx - 1.0f) > tolerance) {
+    if (square(xx - yy) < TOLERANCE && square(xx - zz) < TOLERANCE) {
+        if (square(xx - 1.0f) > TOLERANCE) {
             content_ |= uniform_scale;
         }
     } else {
         content_ |= general_scale;
     }
-    if (square(xy) < tolerance) {
+    if (square(xy) < TOLERANCE) {
         const float cx = m_[1] * m_[6] - m_[2] * m_[5] - m_[8];
         const float cy = m_[2] * m_[4] - m_[0] * m_[6] - m_[9];
         const float cz = m_[0] * m_[5] - m_[1] * m_[4] - m_[10];
-        content_ |= cx * cx + cy * cy + cz * cz < tolerance ? rotation : general_3d;
+        content_ |= cx * cx + cy * cy + cz * cz < TOLERANCE ? rotation : general_3d;
     } else {
         content_ |= general_3d;
     }

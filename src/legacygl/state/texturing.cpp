@@ -39,8 +39,7 @@ std::shared_ptr<Texture> TexturingState::named(int target, GLuint name) const
 
 GLfloat TexturingState::lod_bias(const TextureUnit& unit, const Texture& texture)
 {
-    return std::clamp(unit.lod_bias + texture.parameters.lod_bias, -MAXIMUM_TEXTURE_LOD_BIAS,
-                      MAXIMUM_TEXTURE_LOD_BIAS);
+    return std::clamp(unit.lod_bias + texture.parameters.lod_bias, -MAX_LOD_BIAS, MAX_LOD_BIAS);
 }
 
 Texture* TexturingState::used(const TextureUnit& of) const

@@ -218,7 +218,7 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
         std::copy(from + head, from + old_floats, to + offset + wanted);
     };
 
-    std::array<float, MAXIMUM_VERTEX_FLOATS> widened{};
+    std::array<float, MAX_VERTEX_FLOATS> widened{};
     // In place, from the last vertex to the first: each moves behind where it was.
     if (batch_.vertices.size() < static_cast<std::size_t>(batch_.vertex_count) * floats_) {
         batch_.vertices.resize(static_cast<std::size_t>(batch_.vertex_count + 1) * floats_ * 2);

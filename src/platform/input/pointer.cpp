@@ -19,7 +19,7 @@ constexpr int CLICK_REACH = 3;
 glm::dvec2 aim_at(int x, int y, WindowSize window)
 {
     const double height = window.height;
-    return app::heightening(window.width / height) *
+    return app::vertical_fov_scale(window.width / height) *
            glm::dvec2((x + 0.5 - 0.5 * window.width) / height, 0.5 - (y + 0.5) / height);
 }
 

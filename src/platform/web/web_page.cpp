@@ -1,6 +1,7 @@
 #include "platform/web/web_page.h"
 
-#include "app/report/json.h"
+#include "app/report/state_json.h"
+#include "app/report/tables_json.h"
 #include "app/view/camera_view.h"
 #include "assets/users_tank.h"
 #include "checks/capture_json.h"
@@ -17,9 +18,9 @@ namespace platform {
 namespace {
 
 // clang-format off
-EM_JS(void, tell_state, (const char* json), {
-    if (Module["onStateChanged"]) {
-        Module["onStateChanged"](UTF8ToString(json));
+EM_JS(void, tell_status, (const char* json), {
+    if (Module["onStatus"]) {
+        Module["onStatus"](UTF8ToString(json));
     }
 });
 
@@ -153,7 +154,7 @@ void WebPage::report()
     }
     reported_ = true;
     reported_revision_ = revision;
-    tell_state(app::state_json(program_.simulation()).c_str());
+    tell_status(app::status_json(program_.simulation()).c_str());
 }
 
 void WebPage::draw_now()

@@ -140,13 +140,13 @@ SCENE(blend_equations_of_colours_and_alpha)
     glClear(GL_COLOR_BUFFER_BIT);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE);
-    constexpr GLenum equations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
+    constexpr GLenum EQUATIONS[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
     glMatrixMode(GL_PROJECTION);
     glOrtho(0, 5, 0, 5, -1, 1);
     glColor4f(0.8f, 0.2f, 0.6f, 0.5f);
     for (int y = 0; y < 5; ++y) {
         for (int x = 0; x < 5; ++x) {
-            glBlendEquationSeparate(equations[x], equations[y]);
+            glBlendEquationSeparate(EQUATIONS[x], EQUATIONS[y]);
             glRectf(static_cast<float>(x) + 0.1f, static_cast<float>(y) + 0.1f, static_cast<float>(x) + 0.9f,
                     static_cast<float>(y) + 0.9f);
         }

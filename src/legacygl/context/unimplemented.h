@@ -6,7 +6,7 @@ namespace legacygl {
 
 /// Refuses what is not implemented yet with GL_INVALID_OPERATION, and says so on stderr, once for each value
 /// of said. what: a function's name, or a part of what it can do.
-void refuse_undone(bool& said, const char* what);
+void report_unimplemented(bool& said, const char* what);
 
 } // namespace legacygl
 
@@ -14,5 +14,5 @@ void refuse_undone(bool& said, const char* what);
 #define LEGACYGL_REFUSE(what)                                                                                \
     do {                                                                                                     \
         static bool said = false;                                                                            \
-        legacygl::refuse_undone(said, what);                                                                 \
+        legacygl::report_unimplemented(said, what);                                                          \
     } while (false)

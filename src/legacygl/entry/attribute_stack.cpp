@@ -1,7 +1,7 @@
 // Saving and restoring attributes (OpenGL 1.5, 6.1.14).
 
-#include "legacygl/context/dispatch.h"
 #include "legacygl/state/attribute_stack.h"
+#include "legacygl/context/dispatch.h"
 
 using namespace legacygl;
 

@@ -1,11 +1,11 @@
 // Entry points that are declared by <GL/gl.h> and not implemented yet: they link, set GL_INVALID_OPERATION
 // and say so once on stderr. The end of <legacygl/legacygl.h> lists them.
 
-#include "legacygl/context/undone.h"
+#include "legacygl/context/unimplemented.h"
 
 #include <cstdio>
 
-void legacygl::refuse_undone(bool& said, const char* what)
+void legacygl::report_unimplemented(bool& said, const char* what)
 {
     if (!said) {
         std::fprintf(stderr, "legacygl: %s is not implemented and sets GL_INVALID_OPERATION\n", what);

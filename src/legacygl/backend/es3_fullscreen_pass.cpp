@@ -1,4 +1,4 @@
-#include "legacygl/backend/es3_covering.h"
+#include "legacygl/backend/es3_fullscreen_pass.h"
 
 #include "legacygl/backend/es3_shader.h"
 
@@ -19,7 +19,7 @@ void main()
 
 } // namespace
 
-GLuint Es3Covering::use(const char* fragment)
+GLuint Es3FullscreenPass::use(const char* fragment)
 {
     auto found = std::find_if(programs_.begin(), programs_.end(),
                               [&](const Program& program) { return program.fragment == fragment; });
@@ -31,7 +31,7 @@ GLuint Es3Covering::use(const char* fragment)
     return found->name;
 }
 
-void Es3Covering::draw()
+void Es3FullscreenPass::draw()
 {
     if (vertex_array_ == 0) {
         gl_.GenVertexArrays(1, &vertex_array_);
@@ -40,7 +40,7 @@ void Es3Covering::draw()
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Es3Covering::destroy()
+void Es3FullscreenPass::destroy()
 {
     for (const Program& program : programs_) {
         gl_.DeleteProgram(program.name);
@@ -49,7 +49,7 @@ void Es3Covering::destroy()
     forget();
 }
 
-void Es3Covering::forget()
+void Es3FullscreenPass::forget()
 {
     programs_.clear();
     vertex_array_ = 0;

@@ -7,10 +7,10 @@
 namespace legacygl {
 
 /// Draws over all of the viewport, with fragment shaders that are linked at their first use.
-class Es3Covering
+class Es3FullscreenPass
 {
 public:
-    explicit Es3Covering(const Es3Functions& gl) : gl_(gl) {}
+    explicit Es3FullscreenPass(const Es3Functions& gl) : gl_(gl) {}
 
     /// Returns the program of a fragment shader's text, which is told apart by its address; in use.
     GLuint use(const char* fragment);

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "app/links/tasks.h"
 #include "app/simulation/simulation.h"
 #include "app/state/state.h"
 #include "assets/assets.h"
-#include "base/json_writer.h"
 
-#include <span>
 #include <string>
 
 namespace app {
@@ -29,24 +26,17 @@ std::string state_json(const Simulation& simulation);
 /// log: the last printed lines, oldest first, as {report, text}.
 std::string hits_json(const Simulation& simulation);
 
-/// Returns the table of commands as a JSON array. Every row has `name`, `title`, `group`, `kind`, `keys` (the
-/// browser's KeyboardEvent.code) and `key_labels`. Rows that move fields have `fields`, their link names, and
-/// `unit`. Rows that set have besides `minimum`, `maximum`, `step`, `default` and `wraps`, or `choices` (the
-/// value is an index of them).
-std::string commands_json();
+/// Returns what a page is told after every change people can see, as JSON: what something shows at all times,
+/// and what tells whether more has to be asked for. `revision`; `level` and `detail`; `triangles` (drawn);
+/// `sparks` (alight); `flies` (the projectile is in flight); `view`; `probe`; `held`, `task` and `figure` as
+/// in state_json(); `tank` and `has_own_tank`; `printed` (how many reports and events so far).
+std::string status_json(const Simulation& simulation);
 
-/// Writes a row of the table of tasks and figures as members of an object that has begun: `id`, `kind`,
-/// `title`, `text`, `commands` (names of commands to try), `link` (opens it, such as "task=1.2"), `source`.
-void write_task(base::JsonWriter& json, const Task& task);
+/// Returns the fields as state_json() has them, and nothing else.
+std::string fields_json(const State& state);
 
-/// Returns texts as a JSON array of strings, such as the messages of a link.
-std::string strings_json(std::span<const std::string> texts);
-
-/// Returns the files that make a tank as {"meshes": [names, the high ones first], "texture": [names, of which
-/// one is enough], "largest_mesh": bytes, "largest_texture": bytes}: longer files are refused when read.
-std::string asset_manifest_json();
-
-/// Returns what came of a user's own tank as {"error": sentence or "", "notes": [sentences]}.
-std::string tank_brought_json(std::string_view error, std::span<const std::string> notes);
+/// Returns what shows that the state's task is done: `evidence` and `moving` as in state_json(), and the
+/// field `axis`.
+std::string evidence_json(const Simulation& simulation);
 
 } // namespace app

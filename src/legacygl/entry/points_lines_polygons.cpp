@@ -1,4 +1,4 @@
-// How points, lines and polygons are rasterised (OpenGL 1.5, 3.3 to 3.5), and user clip planes (2.12).
+// How points, lines and polygons are rasterised (OpenGL 1.5, 3.3 to 3.5).
 
 #define GL_GLEXT_PROTOTYPES
 #include "legacygl/context/dispatch.h"
@@ -10,23 +10,9 @@ using namespace legacygl;
 
 namespace {
 
-using Equation = std::array<double, 4>;
-
-/// Planes are transformed by the inverse of what points are transformed by, as rows.
-glm::vec4 plane_in_eye_space(const Equation& plane, const float* inverse)
+bool is_face(GLenum face)
 {
-    glm::vec4 out;
-    for (int column = 0; column < 4; ++column) {
-        const float* m = inverse + 4 * column;
-        out[column] = static_cast<float>(plane[0]) * m[0] + static_cast<float>(plane[1]) * m[1] +
-                      static_cast<float>(plane[2]) * m[2] + static_cast<float>(plane[3]) * m[3];
-    }
-    return out;
-}
-
-bool is_clip_plane(GLenum name)
-{
-    return name >= GL_CLIP_PLANE0 && name < GL_CLIP_PLANE0 + CLIP_PLANE_COUNT;
+    return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
 }
 
 void set_point_parameter(Context& gl, GLenum name, const std::array<float, 3>& v)
@@ -82,6 +68,74 @@ void set_provoking_vertex(const char* entry, GLenum mode)
 } // namespace
 
 extern "C" {
+
+void glCullFace(GLenum mode)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum m) {
+            if (!is_face(m)) {
+                return gl.set_error(GL_INVALID_ENUM);
+            }
+            gl.state.raster.cull_face_mode = m;
+            gl.renderer.changed(change::pipeline);
+        },
+        mode);
+}
+
+void glFrontFace(GLenum mode)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, GLenum m) {
+            if (m != GL_CW && m != GL_CCW) {
+                return gl.set_error(GL_INVALID_ENUM);
+            }
+            gl.state.raster.front_face = m;
+            gl.renderer.changed(change::pipeline);
+        },
+        mode);
+}
+
+void glLineWidth(GLfloat width)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, float w) {
+            if (!(w > 0)) {
+                return gl.set_error(GL_INVALID_VALUE);
+            }
+            gl.state.raster.line_width = w;
+            gl.renderer.changed(change::pipeline);
+        },
+        width);
+}
+
+void glPointSize(GLfloat size)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, float s) {
+            if (!(s > 0)) {
+                return gl.set_error(GL_INVALID_VALUE);
+            }
+            gl.state.raster.point_size = s;
+            gl.renderer.changed(change::matrices); // It lies beside the matrices.
+        },
+        size);
+}
+
+void glPolygonOffset(GLfloat factor, GLfloat units)
+{
+    dispatch(
+        __func__,
+        [](Context& gl, float f, float u) {
+            gl.state.raster.polygon_offset_factor = f;
+            gl.state.raster.polygon_offset_units = u;
+            gl.renderer.changed(change::pipeline);
+        },
+        factor, units);
+}
 
 void glPolygonMode(GLenum face, GLenum mode)
 {
@@ -181,50 +235,6 @@ void glProvokingVertex(GLenum mode)
 void glProvokingVertexEXT(GLenum mode)
 {
     set_provoking_vertex(__func__, mode);
-}
-
-void glClipPlane(GLenum plane, const GLdouble* equation)
-{
-    dispatch(
-        __func__,
-        [](Context& gl, GLenum p, const Equation& e) {
-            if (!is_clip_plane(p)) {
-                return gl.set_error(GL_INVALID_ENUM);
-            }
-            gl.state.transform.clip_planes[p - GL_CLIP_PLANE0].equation =
-                plane_in_eye_space(e, gl.state.transform.modelview.top().inverse());
-        },
-        plane, Equation{equation[0], equation[1], equation[2], equation[3]});
-}
-
-void glGetClipPlane(GLenum plane, GLdouble* equation)
-{
-    dispatch_now(
-        __func__,
-        [equation](Context& gl, GLenum p) {
-            if (!is_clip_plane(p)) {
-                return gl.set_error(GL_INVALID_ENUM);
-            }
-            for (int i = 0; i < 4; ++i) {
-                equation[i] =
-                    static_cast<double>(gl.state.transform.clip_planes[p - GL_CLIP_PLANE0].equation[i]);
-            }
-        },
-        plane);
-}
-
-void glLogicOp(GLenum opcode)
-{
-    dispatch(
-        __func__,
-        [](Context& gl, GLenum op) {
-            if (op < GL_CLEAR || op > GL_SET) {
-                return gl.set_error(GL_INVALID_ENUM);
-            }
-            gl.state.fragment.logic_op = op;
-            gl.renderer.changed(change::pipeline);
-        },
-        opcode);
 }
 
 } // extern "C"

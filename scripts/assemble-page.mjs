@@ -9,7 +9,7 @@
 //
 // What the page's author has to know:
 // - index.html names its style by <link rel="stylesheet" href="style.css"> and its one entry module by
-//   <script type="module" src="main.js">. Modules are bundled; each may import "./tanklab.js", which
+//   <script type="module" src="main.js">. Modules are bundled; each may import "tanklab", which
 //   gives Emscripten's module factory (see scripts/cmake/WebPage.cmake), and must not await at top level.
 // - The page finds what to load in an element that is put into the head:
 //     <script type="application/json" id="tanklab-files">
@@ -60,12 +60,6 @@ const asJson = (value) => JSON.stringify(value).replaceAll("<", "\\u003c");
 
 /** Bundles one module or style with all it imports. */
 async function bundle(entry) {
-  const programs = {
-    name: "tanklab.js",
-    setup(build) {
-      build.onResolve({ filter: /^\.\/tanklab\.js$/ }, () => ({ path: path.resolve(given.program) }));
-    },
-  };
   const result = await esbuild.build({
     entryPoints: [entry],
     bundle: true,
@@ -77,7 +71,7 @@ async function bundle(entry) {
     legalComments: "inline",
     logLevel: "warning",
     loader: { ".svg": "dataurl", ".png": "dataurl", ".woff2": "dataurl" },
-    plugins: [programs],
+    alias: { tanklab: path.resolve(given.program) },
   });
   return Buffer.from(result.outputFiles[0].contents);
 }

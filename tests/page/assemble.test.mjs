@@ -20,7 +20,7 @@ const PARTS = {
     '<body><script type="module" src="main.js"></script></body></html>',
   "web/icon.svg": "<svg/>",
   "web/style.css": "body { color: red; }\n",
-  "web/main.js": 'import create from "./tanklab.js";\nimport { text } from "./other.js";\nconsole.log(create, text);\n',
+  "web/main.js": 'import create from "tanklab";\nimport { text } from "./other.js";\nconsole.log(create, text);\n',
   "web/other.js": 'export const text = "</script>";\n',
 };
 

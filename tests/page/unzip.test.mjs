@@ -6,7 +6,7 @@ import esbuild from "esbuild";
 import { zipSync } from "fflate";
 
 async function load(file) {
-  const entryPoints = [fileURLToPath(new URL(`../../web/${file}`, import.meta.url))];
+  const entryPoints = [fileURLToPath(new URL(`../../web/own_tank/${file}`, import.meta.url))];
   const { outputFiles } = await esbuild.build({ entryPoints, bundle: true, write: false, format: "esm", legalComments: "none" });
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}`);
 }

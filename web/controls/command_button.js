@@ -1,5 +1,5 @@
 // A button that does what a command's key does: for as long as it is pressed, or once.
-import { button } from "./elements.js";
+import { button } from "../base/elements.js";
 
 const TOUCH_DELAY_MS = 120; // by then a finger that scrolls has moved
 const TAP_MS = 150; // how long a short tap, or a click without a pointer, holds

@@ -1,6 +1,6 @@
 // The tree of parts: what hangs on what, which part's joint moves right now and what it carries along. A press of a
 // part shows the axis it turns about; of a part with two axes the next press shows the other one.
-import { button, element } from "./elements.js";
+import { button, element } from "../base/elements.js";
 
 /** Reads "a (b, c (d))" into {name, children}. */
 function readTree(text) {

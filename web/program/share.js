@@ -1,8 +1,8 @@
 // The button that copies the address of what is shown.
+import { copyText } from "../base/clipboard.js";
+import { element } from "../base/elements.js";
+import { dismiss, notify } from "../base/notices.js";
 import { addressOf } from "./address.js";
-import { copyText } from "./clipboard.js";
-import { element } from "./elements.js";
-import { dismiss, notify } from "./notices.js";
 
 const COPIED_MS = 1800;
 

@@ -1,5 +1,5 @@
 // A report of hits as people read it: the whole tank first, then the parts, with a bar for each sphere.
-import { element } from "./elements.js";
+import { element } from "../base/elements.js";
 
 const SAY_PAUSE_MS = 1500; // a reader of screens needs time to speak
 

@@ -1,8 +1,8 @@
 // The list of keys, made from the program's table of commands. Rows and keys here are buttons, too.
-import { commandRows } from "./command_rows.js";
-import { element } from "./elements.js";
-import { byGroup, foldedGroup } from "./groups.js";
-import { keycaps } from "./key_labels.js";
+import { element } from "../base/elements.js";
+import { commandRows } from "../controls/command_rows.js";
+import { byGroup, foldedGroup } from "../controls/groups.js";
+import { keycaps } from "../controls/key_labels.js";
 
 // What the pointer does is no command of the table: it depends on what it points at.
 const POINTER = [

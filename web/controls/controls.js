@@ -1,6 +1,6 @@
 // The controls of a value, made from its row in the table of commands: a slider with a number, a switch, or
 // choices. Each gives {elements, show(value)}, where a value is what the state has.
-import { button, element } from "./elements.js";
+import { button, element } from "../base/elements.js";
 import { keyStep, scaleOf } from "./scales.js";
 
 const UNITS = { degrees: "°", metres: "m", "metres per second": "m/s" };

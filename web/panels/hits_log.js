@@ -1,5 +1,5 @@
 // What the program printed about hits: a list of reports, the newest first, as the program has it.
-import { element } from "./elements.js";
+import { element } from "../base/elements.js";
 
 export class HitsLog {
   /** How many reports and events the list has seen. */

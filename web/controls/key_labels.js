@@ -1,6 +1,6 @@
 // What keys are called: what is printed on the reader's own keyboard where the browser tells, else the
 // program's label, which is that of a US keyboard. The keys themselves are places, the same on every keyboard.
-import { element } from "./elements.js";
+import { element } from "../base/elements.js";
 
 /** Returns the browser's map from a key's code to what it prints, or null where it does not tell. */
 export async function readKeyboardLayout() {

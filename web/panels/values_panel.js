@@ -1,7 +1,7 @@
 // A control for each value of the state, made from the program's table, in groups that fold.
-import { control, defaultOf } from "./controls.js";
-import { element } from "./elements.js";
-import { byGroup, foldedGroup } from "./groups.js";
+import { element } from "../base/elements.js";
+import { control, defaultOf } from "../controls/controls.js";
+import { byGroup, foldedGroup } from "../controls/groups.js";
 
 const PAUSE_MS = 30;
 

@@ -1,5 +1,5 @@
 // What is shown when the page cannot go on.
-import { copyText } from "./clipboard.js";
+import { copyText } from "../base/clipboard.js";
 
 /** A failure that people can be told of: what happened and where (the message), and what to do (the advice). */
 export class LoadFailure extends Error {

@@ -1,6 +1,6 @@
 // Rows of commands with their keys. Two commands that move the same values to and fro share a row.
+import { element } from "../base/elements.js";
 import { commandButton } from "./command_button.js";
-import { element } from "./elements.js";
 import { keycaps, keyLabels } from "./key_labels.js";
 
 const isPair = (one, other) =>

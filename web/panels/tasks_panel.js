@@ -1,6 +1,6 @@
 // The lab's tasks and the handout's figures.
-import { element } from "./elements.js";
-import { foldedGroup } from "./groups.js";
+import { element } from "../base/elements.js";
+import { foldedGroup } from "../controls/groups.js";
 import { overview } from "./overview.js";
 import { TaskEntry } from "./task_entry.js";
 

@@ -1,5 +1,5 @@
 // How the verdict of a check is shown.
-import { element } from "./elements.js";
+import { element } from "../base/elements.js";
 
 /** Returns "passed", "failed" or "" for what a check gave. */
 export const verdictOf = (passed) => (passed === true ? "passed" : passed === false ? "failed" : "");

@@ -1,5 +1,5 @@
 // What shows live that a task is done: labels and values, and the tree of parts as a tree.
-import { element } from "./elements.js";
+import { element } from "../base/elements.js";
 import { PartTree } from "./part_tree.js";
 
 const IS_TREE = /^\w+ \([\w (),]+\)$/;

@@ -1,5 +1,5 @@
 // All verdicts at a glance: a tile for each task, how many passed, and a button that checks them all.
-import { button, element } from "./elements.js";
+import { button, element } from "../base/elements.js";
 import { markOf, verdictOf } from "./verdict.js";
 
 /** Makes a tile that opens a task and shows its verdict. */

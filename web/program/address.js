@@ -1,5 +1,5 @@
 // The address follows the state, and the state follows an address that somebody changes.
-import { dismiss, notify } from "./notices.js";
+import { dismiss, notify } from "../base/notices.js";
 
 const PAUSE_MS = 500; // Safari refuses more than 100 changes in 30 s
 

@@ -1,9 +1,9 @@
 // A task or figure in the list: a link that opens it, and below that, while it is open, what to see, which keys
 // to press, the evidence, where it stands in the source, and whether it is right.
-import { commandRows } from "./command_rows.js";
-import { button, element } from "./elements.js";
+import { button, element } from "../base/elements.js";
+import { notify } from "../base/notices.js";
+import { commandRows } from "../controls/command_rows.js";
 import { evidenceList } from "./evidence.js";
-import { notify } from "./notices.js";
 import { markOf, showVerdict, verdictOf, verdictPlace } from "./verdict.js";
 
 /** Returns a turn of the browser, in which it can show what has changed. */

@@ -1,10 +1,10 @@
 // What is penetrated: as it is now, level by level, and what was printed.
-import { commandButton } from "./command_button.js";
-import { segmentsControl } from "./controls.js";
-import { element } from "./elements.js";
+import { element } from "../base/elements.js";
+import { commandButton } from "../controls/command_button.js";
+import { segmentsControl } from "../controls/controls.js";
+import { keycaps, keyLabels } from "../controls/key_labels.js";
 import { HitsLog } from "./hits_log.js";
 import { announcer, showReport } from "./hits_report.js";
-import { keycaps, keyLabels } from "./key_labels.js";
 
 const PAUSE_MS = 80; // between two looks at what is hit
 

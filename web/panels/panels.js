@@ -1,6 +1,6 @@
 // The panels: one at the right side, or none, and the page remembers which. In a wide window what is hit has a
 // place of its own at the left; in a narrow one it is a panel like the others.
-import { recall, remember } from "./storage.js";
+import { recall, remember } from "../base/storage.js";
 
 const ROOM_FOR_A_PANEL = 1100; // CSS pixels: below, a panel that opens by itself would be in the way
 const WIDE = matchMedia("(min-width: 1000px)"); // as in style.css

@@ -1,8 +1,8 @@
 // The program as an object of the page, and what window.tanklab offers of it.
-import createTanklab from "./tanklab.js";
+import createTanklab from "tanklab";
+import { dismiss, notify } from "../base/notices.js";
+import { throttled } from "../base/throttle.js";
 import { LoadFailure, showFailure } from "./failure.js";
-import { dismiss, notify } from "./notices.js";
-import { throttled } from "./throttle.js";
 
 const LINES_KEPT = 40; // of what the program printed, for a failure's details
 const RETURNS = { draw: "void", forget_files: "void", draw_calls: "number" }; // the other functions return texts

@@ -1,6 +1,6 @@
 // Headings that fold what is below them, and stay so on the next visit.
-import { element } from "./elements.js";
-import { recall, remember } from "./storage.js";
+import { element } from "../base/elements.js";
+import { recall, remember } from "../base/storage.js";
 
 /** Returns the values of a table by their group, in the table's order, as a Map. */
 export function byGroup(rows) {

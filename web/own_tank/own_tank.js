@@ -1,8 +1,8 @@
 // The user's own tank: dropped on the page or chosen, read here and nowhere else. Nothing leaves the browser.
+import { button, element } from "../base/elements.js";
+import { dismiss, notify } from "../base/notices.js";
+import { importLater } from "../later.js";
 import { chosenFiles, droppedFiles } from "./brought_files.js";
-import { button, element } from "./elements.js";
-import { importLater } from "./later.js";
-import { dismiss, notify } from "./notices.js";
 
 const TOPIC = "own-tank";
 const PROGRESS_MS = 200; // what is over sooner needs no word

@@ -18,8 +18,7 @@
 //   fetch(url) works in both forms of the page (in tanklab.html it is a data: address); bytes are what
 //   arrives after decompression, for the progress bar. The bytes of the program go into the factory as
 //   wasmBinary. The same list is written as files.json.
-// - Each module in web/later/ is bundled by itself and not loaded with the page; "later" in that list has its
-//   address by its name, for import().
+// - What a module names by import("...") is fetched when that is called: the site has it in later/, tanklab.html inside.
 import fs from "node:fs";
 import path from "node:path";
 import { createHash } from "node:crypto";
@@ -54,26 +53,37 @@ function filesBelow(folder) {
     .sort();
 }
 
+const local = (file) => path.join(given.web, file);
 const versioned = (url, bytes) => `${url}?v=${createHash("sha256").update(bytes).digest("hex").slice(0, 8)}`;
 const dataUrl = (type, bytes) => `data:${type};base64,${Buffer.from(bytes).toString("base64")}`;
 const asJson = (value) => JSON.stringify(value).replaceAll("<", "\\u003c");
 
-/** Bundles one module or style with all it imports. */
-async function bundle(entry) {
+/** Bundles one module or style with all it imports. What a module imports only when it is needed stands in files of
+    their own, unless inside is wanted. Gives [{file, content}], the paths those in the site, the entry first. */
+async function bundle(file, inside) {
+  const outdir = path.resolve(given.out);
   const result = await esbuild.build({
-    entryPoints: [entry],
+    entryPoints: [local(file)],
+    outdir,
+    outbase: given.web,
     bundle: true,
+    splitting: !inside && file.endsWith(".js"),
+    chunkNames: "later/[name]-[hash]",
     minify: true,
     write: false,
     format: "esm",
-    target: "es2021",
+    target: "es2022", // an older one brings helpers along, which the modules would share in a file of their own
     charset: "utf8",
     legalComments: "inline",
     logLevel: "warning",
     loader: { ".svg": "dataurl", ".png": "dataurl", ".woff2": "dataurl" },
     alias: { tanklab: path.resolve(given.program) },
   });
-  return Buffer.from(result.outputFiles[0].contents);
+  const files = result.outputFiles.map((output) => ({
+    file: path.relative(outdir, output.path).replaceAll(path.sep, "/"),
+    content: Buffer.from(output.contents),
+  }));
+  return files.sort((one, other) => Number(other.file === file) - Number(one.file === file));
 }
 
 /** Replaces each match of a pattern by what an async function of the match returns. */
@@ -131,30 +141,25 @@ const describe = (address) => ({
 const filesOfSite = describe((file, bytes) => versioned(file, bytes));
 const filesInside = describe((file, bytes, type) => dataUrl(type, bytes));
 
-// Modules that are fetched when they are first needed stand each by itself.
-for (const file of filesBelow(path.join(given.web, "later"))) {
-  const name = path.basename(file, ".js");
-  const script = await bundle(path.join(given.web, "later", file));
-  site.set(`later/${file}`, script);
-  (filesOfSite.later ??= {})[name] = versioned(`later/${file}`, script);
-  (filesInside.later ??= {})[name] = dataUrl("text/javascript", script);
-}
 site.set("files.json", `${JSON.stringify(filesOfSite, null, 1)}\n`);
 
 // --- The page ------------------------------------------------------------------------------------------
 
-const local = (file) => path.join(given.web, file);
 const attribute = (tag, name) => new RegExp(`\\s${name}="([^"]*)"`).exec(tag)?.[1];
 const isLocal = (address) => address && !/^([a-z]+:|\/|#)/i.test(address);
 const bundled = new Set(["index.html"]);
 
-/** Bundles what a tag of index.html names; null where that is not there. */
-async function bundleNamed(file) {
+/** Bundles what a tag of index.html names and puts it into the site, unless it is to stand inside. Returns its content;
+    null where it is not there. */
+async function bundleNamed(file, inside) {
   if (!fs.existsSync(local(file))) {
     missing.push(`web/${file} is missing, which index.html names`);
     return null;
   }
-  return bundle(local(file));
+  bundled.add(file);
+  const files = await bundle(file, inside);
+  if (!inside) for (const { file: target, content } of files) site.set(target, content);
+  return files[0].content;
 }
 
 /** Returns index.html with its scripts and styles bundled; inside: all in the one file, else beside it. */
@@ -163,11 +168,9 @@ async function makeHtml(source, inside) {
     const file = attribute(tag, "href");
     if (!isLocal(file)) return tag;
     if (attribute(tag, "rel") === "stylesheet") {
-      const style = await bundleNamed(file);
+      const style = await bundleNamed(file, inside);
       if (!style) return "";
-      bundled.add(file);
       if (inside) return `<style>${style}</style>`;
-      site.set(file, style);
       return tag.replace(`"${file}"`, `"${versioned(file, style)}"`);
     }
     if (!inside || !fs.existsSync(local(file))) return tag;
@@ -176,11 +179,9 @@ async function makeHtml(source, inside) {
   html = await replaceEach(html, /<script\b[^>]*\ssrc="[^"]*"[^>]*>\s*<\/script>/g, async ([tag]) => {
     const file = attribute(tag, "src");
     if (!isLocal(file)) return tag;
-    const script = await bundleNamed(file);
+    const script = await bundleNamed(file, inside);
     if (!script) return "";
-    bundled.add(file);
     if (inside) return `<script type="module">${script}</script>`;
-    site.set(file, script);
     return tag.replace(`"${file}"`, `"${versioned(file, script)}"`);
   });
   if (inside) {

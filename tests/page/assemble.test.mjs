@@ -89,6 +89,43 @@ test("modules and other files end up where they belong, notes and sources nowher
   });
 });
 
+const SPLIT = {
+  "package.json": '{ "type": "module" }',
+  "web/main.js": 'globalThis.load = () => import("./room/rarely.js").then(({ text }) => text);\nconsole.log("first");\n',
+  "web/room/rarely.js": 'import { text as other } from "../other.js";\nexport const text = `seldom ${other}`;\n',
+};
+const SELDOM = /seldom/;
+
+/** Returns what a module prints that has run, and then what its load() gives. */
+function runModule(code, folder) {
+  const { stdout, stderr } = spawnSync(process.execPath, ["--input-type=module", "--eval", `${code}\nconsole.log(await load());`], { cwd: folder, encoding: "utf8" });
+  return stdout || stderr;
+}
+
+test("what is imported only when it is needed is a file of its own, and found from any folder", () => {
+  assemble(SPLIT, ({ files, read, root }) => {
+    const [later, ...more] = files.filter((file) => /^later\/.*\.js$/.test(file));
+    assert.match(later, /^later\/rarely-[0-9A-Z]{8}\.js$/);
+    assert.deepEqual(more, []);
+    assert.doesNotMatch(read("main.js"), SELDOM);
+    assert.match(read(later), SELDOM);
+    fs.renameSync(path.join(root, "site"), path.join(root, "else where"));
+    assert.equal(runModule('await import("./else where/main.js?v=1");', root), "first\nseldom </script>\n");
+    assemble({ ...SPLIT, "web/other.js": 'export const text = "changed";\n' }, (other) => {
+      assert.ok(!other.files.includes(later), "its name changes with its content");
+      assert.notEqual(other.read("main.js"), fs.readFileSync(path.join(root, "else where/main.js"), "utf8"));
+    });
+  });
+});
+
+test("the one file holds what is imported only when it is needed", () => {
+  assemble(SPLIT, ({ read, root }) => {
+    const [, script] = /<script type="module">(.*?)<\/script>/s.exec(read("tanklab.html"));
+    fs.rmSync(path.join(root, "site"), { recursive: true });
+    assert.equal(runModule(script, root), "first\nseldom </script>\n");
+  });
+});
+
 test("a second run changes no file, and what is gone from the parts goes from the site", () => {
   assemble({}, ({ run, root }) => {
     const style = path.join(root, "site/style.css");

@@ -157,19 +157,42 @@ test("a link of such a state asks for the files and keeps the rest until they co
   });
 });
 
-test("nothing leaves the browser, and what reads files is loaded only when it is needed", async () => {
+const UNPACKS = /\/later\/unzip-[0-9A-Z]+\.js$/;
+
+test("nothing leaves the browser, and what unpacks archives is loaded only when there is one", async () => {
   const requests = [];
   const before = (page) => page.on("request", (request) => requests.push(request));
   await withTank("chromium", { before }, async ({ page, url }) => {
     assert.ok(!requests.some((request) => request.url().includes("later/")));
-    requests.length = 0;
-    await drop(page, { "tankLab.zip": tankLab() });
     // The icon is fetched by the browser, when it likes: on a busy machine, now.
     const icon = await page.$eval('link[rel="icon"]', (link) => link.href);
-    const sent = requests.filter((request) => !request.url().startsWith("data:") && request.url() !== icon);
-    assert.deepEqual(sent.map((request) => [request.method(), new URL(request.url()).pathname]), [["GET", new URL("later/own_tank.js", url).pathname]]);
+    const sent = async (files) => {
+      requests.length = 0;
+      await drop(page, files);
+      return requests.filter((request) => !request.url().startsWith("data:") && request.url() !== icon);
+    };
+    assert.deepEqual((await sent(HIGH)).map((request) => request.url()), []);
+    const [unpacks, ...others] = await sent({ "tankLab.zip": tankLab() });
+    assert.deepEqual([unpacks.method(), new URL(unpacks.url()).origin, others.length], ["GET", new URL(url).origin, 0]);
+    assert.match(new URL(unpacks.url()).pathname, UNPACKS);
   });
 });
+
+for (const browser of ["chromium", "firefox"])
+  test(`what unpacks archives and does not arrive in ${browser} is told, and comes with the page loaded anew`, async () => {
+    let asked = 0;
+    const before = async (page) => {
+      await page.setRequestInterception(true);
+      page.on("request", (request) => (UNPACKS.test(request.url()) && ++asked === 1 ? request.abort() : request.continue()));
+    };
+    await withTank(browser, { before }, async ({ page, state }) => {
+      assert.match(await drop(page, { "tankLab.zip": tankLab() }), /unpacks archives did not arrive\. Check your connection and reload the page/);
+      await page.reload();
+      await page.waitForSelector("body.ready");
+      assert.match(await drop(page, { "tankLab.zip": tankLab() }), /the lab's own tank/);
+      assert.equal((await state()).tank, "own");
+    });
+  });
 
 const zipped = (files) => zipSync(files, { level: 1 });
 const BAD_INPUT = [

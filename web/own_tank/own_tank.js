@@ -1,8 +1,9 @@
 // The user's own tank: dropped on the page or chosen, read here and nowhere else. Nothing leaves the browser.
 import { button, element } from "../base/elements.js";
 import { dismiss, notify } from "../base/notices.js";
-import { importLater } from "../later.js";
 import { chosenFiles, droppedFiles } from "./brought_files.js";
+import { readTankFiles } from "./tank_files.js";
+import { TankSet } from "./tank_set.js";
 
 const TOPIC = "own-tank";
 const PROGRESS_MS = 200; // what is over sooner needs no word
@@ -72,7 +73,7 @@ function keepInLinks(program) {
 /** Joins all of it to the page. parts: {canvas, program, act} */
 export function joinOwnTank({ canvas, program, act }) {
   const manifest = program.assetManifest();
-  let set = null;
+  const set = new TankSet(manifest);
   let busy = false;
 
   const tell = (sentence, field = null) => {
@@ -106,8 +107,6 @@ export function joinOwnTank({ canvas, program, act }) {
     performance.mark("tanklab-files-brought");
     try {
       const found = await find();
-      const { readTankFiles, TankSet } = await importLater("own_tank");
-      set ??= new TankSet(manifest);
       await show(await readTankFiles(found, manifest, progress));
       requestAnimationFrame(() => performance.mark("tanklab-own-tank-shown"));
     } catch (error) {

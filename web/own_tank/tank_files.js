@@ -1,5 +1,4 @@
 // Which of many files make a tank, and their bytes.
-import { unzip } from "./unzip.js";
 
 const MOST_BYTES = 256 << 20; // of all files, unpacked
 const MEGABYTE = 1 << 20;
@@ -21,6 +20,16 @@ async function readFile(path, file, arrived) {
     throw new Error(`${path} cannot be read (${error.message}). Is it still there? Drop it again.`);
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
+
+/** Fetches what unpacks archives, which few people need. */
+async function fetchUnzip() {
+  try {
+    return (await import("./unzip.js")).unzip;
+  } catch {
+    // Firefox keeps the failure until the page is loaded anew.
+    throw new Error("The part of the page that unpacks archives did not arrive. Check your connection and reload the page, or unpack the archive and drop the folder.");
+  }
 }
 
 /** Reads what of the files belongs to a tank, out of archives, too: [{name, bytes}]. manifest: see
@@ -49,6 +58,7 @@ export async function readTankFiles(found, manifest, show) {
       show(`Reading ${path}: ${(read / MEGABYTE).toFixed(1)} MB`);
     };
     if (isZip(path)) {
+      const unzip = await fetchUnzip();
       files.push(...(await unzip(file, { name: path, limitOf, takeFromBudget, arrived })));
     } else {
       takeFromBudget(file.size);

@@ -5,10 +5,10 @@ import os from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, test } from "node:test";
-import { zipSync } from "fflate";
 import { differentPixels, pixels, SITE } from "./harness.mjs";
 import { boxObj, highFiles, lowFiles, originalTga, tankLab, tankLod } from "./original_set.mjs";
 import { BARE, drawn, withTank } from "./tanklab_page.mjs";
+import { zipArchive } from "./zip_archive.mjs";
 
 const text = (words) => new TextEncoder().encode(words);
 const HIGH = highFiles();
@@ -194,7 +194,7 @@ for (const browser of ["chromium", "firefox"])
     });
   });
 
-const zipped = (files) => zipSync(files, { level: 1 });
+const zipped = (files) => zipArchive(files);
 const BAD_INPUT = [
   ["a zip that is none", { "tankLab.zip": text("no zip at all") }, /tankLab\.zip is no zip archive\. Drop /],
   ["a zip without anything of a tank", { "photos.zip": zipped({ "a.jpg": text("x") }) }, /photos\.zip holds nothing of a tank\. Drop /],

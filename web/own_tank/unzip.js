@@ -1,21 +1,15 @@
-/*! Unpacks with fflate, © 2020 Arjun Barrett and contributors, MIT licence, https://github.com/101arrowz/fflate */
-// Takes files out of a zip archive. Nothing that an archive says of itself
-// is believed: what comes out is counted as it comes.
-import { Inflate } from "fflate";
+// Takes files out of a zip archive. Nothing that an archive says of itself is believed: what comes out is counted as it
+// comes.
+//
+// The browser unpacks: zip.js would bring 23 KB gzipped for that, and every browser of the tests has deflate-raw.
+import { contentOf, readDirectory } from "./zip_directory.js";
 
-const END = 0x06054b50; // signatures: APPNOTE.TXT 6.3.10, 4.3
-const ENTRY = 0x02014b50;
-const LOCAL = 0x04034b50;
-const END_SIZE = 22;
-const LONGEST_COMMENT = 0xffff;
-const LARGEST_DIRECTORY = 16 << 20;
 const STORED = 0;
 const DEFLATED = 8;
-const READ_BYTES = 1 << 18; // of the archive at a time; the page stays alive in between
-const PUSH_BYTES = 1 << 14; // unpacks to 16 MB at the most
+const ENCRYPTED = 0x2041; // flags
+const PIECE_BYTES = 1 << 14; // unpacks to 16 MB at the most
 
 const megabytes = (bytes) => Math.max(1, Math.round(bytes / (1 << 20)));
-const viewOf = async (blob, from, to) => new DataView(await blob.slice(from, to).arrayBuffer());
 
 const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
   let crc = byte;
@@ -29,88 +23,58 @@ function crc32(bytes) {
   return ~crc >>> 0;
 }
 
-/** Finds the directory. Returns {count, offset, size}. */
-async function findDirectory(blob, name) {
-  const from = Math.max(0, blob.size - END_SIZE - LONGEST_COMMENT);
-  const tail = await viewOf(blob, from, blob.size);
-  for (let at = tail.byteLength - END_SIZE; at >= 0; --at) {
-    if (tail.getUint32(at, true) !== END || at + END_SIZE + tail.getUint16(at + 20, true) > tail.byteLength) continue;
-    const [count, size, offset] = [tail.getUint16(at + 10, true), tail.getUint32(at + 12, true), tail.getUint32(at + 16, true)];
-    if (tail.getUint16(at + 4, true) !== 0) throw new Error(`${name} is a part of an archive in several files; pack it as one.`);
-    if (count === 0xffff || offset === 0xffffffff) throw new Error(`${name} is a ZIP64 archive, which is not read here; unpack it and drop the folder.`);
-    if (offset + size > from + at || size > LARGEST_DIRECTORY) throw new Error(`${name} is damaged: its list of files is not where it says. Copy or download it again.`);
-    return { count, offset, size };
-  }
-  const begins = blob.size >= 4 && (await viewOf(blob, 0, 4)).getUint32(0, true) === LOCAL;
-  throw new Error(
-    begins ? `${name} is cut short: the list of its files is missing. Copy or download it again.` : `${name} is no zip archive. Drop tankLab.zip, tankLOD.zip or the folder tankobjs.`,
-  );
-}
-
-/** Reads the directory: [{path, flags, method, crc, packed, size, offset}]. */
-async function readDirectory(blob, name) {
-  const { count, offset, size } = await findDirectory(blob, name);
-  const view = await viewOf(blob, offset, offset + size);
-  const decoder = new TextDecoder();
-  const entries = [];
-  for (let at = 0, i = 0; i < count; ++i) {
-    if (at + 46 > size || view.getUint32(at, true) !== ENTRY) throw new Error(`${name} is damaged: its list of files breaks off. Copy or download it again.`);
-    const [nameLength, extraLength, commentLength] = [28, 30, 32].map((field) => view.getUint16(at + field, true));
-    const end = at + 46 + nameLength;
-    if (end > size) throw new Error(`${name} is damaged: its list of files breaks off. Copy or download it again.`);
-    entries.push({
-      path: decoder.decode(new Uint8Array(view.buffer, at + 46, nameLength)),
-      flags: view.getUint16(at + 8, true),
-      method: view.getUint16(at + 10, true),
-      crc: view.getUint32(at + 16, true),
-      packed: view.getUint32(at + 20, true),
-      size: view.getUint32(at + 24, true),
-      offset: view.getUint32(at + 42, true),
-    });
-    at = end + extraLength + commentLength;
-  }
-  return entries;
-}
-
 /** Tells whether a path leads out of the folder that an archive would be unpacked in. */
 const leadsOut = (path) => /^[/\\]|^[a-z]:/i.test(path) || path.split(/[/\\]/).includes("..");
 
+/** Makes what unpacks. Not every browser has it that has WebGL 2. */
+function inflater() {
+  try {
+    return new DecompressionStream("deflate-raw");
+  } catch {
+    throw new Error("This browser cannot unpack archives. Unpack it yourself and drop the folder, or use a current Firefox, Chrome, Edge or Safari.");
+  }
+}
+
+/** Returns a stream of the content in small pieces, of which each is unpacked and counted before the next. */
+function inPieces(content) {
+  const cut = new TransformStream({
+    transform(part, controller) {
+      for (let from = 0; from < part.length; from += PIECE_BYTES) controller.enqueue(part.subarray(from, from + PIECE_BYTES));
+    },
+  });
+  return content.stream().pipeThrough(cut);
+}
+
 /** Unpacks one entry, all of it or nothing. label: its name for people. */
 async function unpack(blob, entry, { label, takeFromBudget, arrived }) {
-  if (entry.flags & 0x2041) throw new Error(`${label} is encrypted. Unpack the archive with its password and drop the folder.`);
+  if (entry.flags & ENCRYPTED) throw new Error(`${label} is encrypted. Unpack the archive with its password and drop the folder.`);
   if (entry.method !== STORED && entry.method !== DEFLATED) {
     throw new Error(`${label} is packed in a way that is not read here (method ${entry.method}). Unpack the archive and drop the folder.`);
   }
-  const local = entry.offset + 30 <= blob.size ? await viewOf(blob, entry.offset, entry.offset + 30) : null;
-  const begin = local?.getUint32(0, true) === LOCAL ? entry.offset + 30 + local.getUint16(26, true) + local.getUint16(28, true) : NaN;
-  if (!(begin + entry.packed <= blob.size)) throw new Error(`${label} is not where the archive says: it is damaged. Copy or download it again.`);
+  const content = await contentOf(blob, entry);
+  if (!content) throw new Error(`${label} is not where the archive says: it is damaged. Copy or download it again.`);
 
   const bytes = new Uint8Array(entry.size);
   let filled = 0;
   const lies = () => new Error(`${label} is not as long as the archive says (${entry.size} bytes): it is damaged or made to do harm. Download it again from where you trust it.`);
-  const take = (chunk) => {
-    if (filled + chunk.length > entry.size) throw lies();
-    takeFromBudget(chunk.length);
-    bytes.set(chunk, filled);
-    filled += chunk.length;
-    arrived(chunk.length);
+  const take = (part) => {
+    if (filled + part.length > entry.size) throw lies();
+    takeFromBudget(part.length);
+    bytes.set(part, filled);
+    filled += part.length;
+    arrived(part.length);
   };
-  const inflate = entry.method === DEFLATED ? new Inflate(take) : null;
-  for (let at = 0; at < entry.packed; at += READ_BYTES) {
-    const part = new Uint8Array(await blob.slice(begin + at, begin + Math.min(entry.packed, at + READ_BYTES)).arrayBuffer());
-    for (let from = 0; from < part.length; from += PUSH_BYTES) {
-      const piece = part.subarray(from, from + PUSH_BYTES);
-      if (!inflate) {
-        take(piece);
-        continue;
-      }
-      try {
-        inflate.push(piece, at + from + piece.length >= entry.packed);
-      } catch (error) {
-        // fflate's own errors have a code; ours are sentences already.
-        throw error?.code === undefined ? error : new Error(`${label} cannot be unpacked (${error.message}): it is damaged. Copy or download it again.`);
-      }
-    }
+  const unpacked = entry.method === DEFLATED ? inPieces(content).pipeThrough(inflater()) : content.stream();
+  const reader = unpacked.getReader();
+  const next = () =>
+    reader.read().catch((error) => {
+      if (error instanceof DOMException) throw error; // the archive itself cannot be read any more
+      throw new Error(`${label} cannot be unpacked (${error.message}): it is damaged. Copy or download it again.`);
+    });
+  try {
+    for (let part = await next(); !part.done; part = await next()) take(part.value);
+  } finally {
+    reader.cancel().catch(() => {}); // what is left is not wanted any more
   }
   if (filled !== entry.size) throw lies();
   if (crc32(bytes) !== entry.crc) throw new Error(`${label} is damaged: its checksum does not fit. Copy or download it again.`);

@@ -18,7 +18,8 @@
 //   fetch(url) works in both forms of the page (in tanklab.html it is a data: address); bytes are what
 //   arrives after decompression, for the progress bar. The bytes of the program go into the factory as
 //   wasmBinary. The same list is written as files.json.
-// - What a module names by import("...") is fetched when that is called: the site has it in later/, tanklab.html inside.
+// - What a module names by import("...") is fetched when that is called: the site has it in later/, tanklab.html has it
+//   inside.
 import fs from "node:fs";
 import path from "node:path";
 import { createHash } from "node:crypto";
@@ -30,25 +31,38 @@ const ASSET_TYPES = { ".obj": "text/plain", ".png": "image/png", ".jpg": "image/
 const TYPES = { ".svg": "image/svg+xml", ".png": "image/png", ".jpg": "image/jpeg", ".ico": "image/x-icon" };
 
 const { values: given } = parseArgs({
-  options: { web: { type: "string" }, assets: { type: "string" }, program: { type: "string" }, out: { type: "string" } },
+  options: {
+    web: { type: "string" },
+    assets: { type: "string" },
+    program: { type: "string" },
+    out: { type: "string" },
+  },
 });
 for (const name of ["web", "assets", "program", "out"]) {
-  if (!given[name]) stop([`--${name} is missing`]);
+  if (!given[name]) {
+    stop([`--${name} is missing`]);
+  }
 }
 
 function stop(messages) {
-  for (const message of messages) console.error(`assemble-page: ${message}`);
+  for (const message of messages) {
+    console.error(`assemble-page: ${message}`);
+  }
   process.exit(2);
 }
 
 /** Returns the paths of all files below a folder, relative to it, sorted; none where there is no folder. */
 function filesBelow(folder) {
-  if (!fs.existsSync(folder)) return [];
+  if (!fs.existsSync(folder)) {
+    return [];
+  }
   return fs
     .readdirSync(folder, { withFileTypes: true })
     .filter((entry) => !entry.name.startsWith("."))
     .flatMap((entry) =>
-      entry.isDirectory() ? filesBelow(path.join(folder, entry.name)).map((file) => `${entry.name}/${file}`) : [entry.name],
+      entry.isDirectory()
+        ? filesBelow(path.join(folder, entry.name)).map((file) => `${entry.name}/${file}`)
+        : [entry.name],
     )
     .sort();
 }
@@ -101,12 +115,18 @@ async function replaceEach(text, pattern, replacement) {
     A folder with other things in it, which this never wrote, is left alone. */
 function writeFolder(folder, files) {
   const before = filesBelow(folder);
-  if (before.length > 0 && !before.includes("files.json")) stop([`${folder} holds something else than a page`]);
-  for (const stale of before.filter((file) => !files.has(file))) fs.rmSync(path.join(folder, stale));
+  if (before.length > 0 && !before.includes("files.json")) {
+    stop([`${folder} holds something else than a page`]);
+  }
+  for (const stale of before.filter((file) => !files.has(file))) {
+    fs.rmSync(path.join(folder, stale));
+  }
   for (const [file, content] of files) {
     const target = path.join(folder, file);
     const bytes = Buffer.from(content);
-    if (fs.existsSync(target) && fs.readFileSync(target).equals(bytes)) continue;
+    if (fs.existsSync(target) && fs.readFileSync(target).equals(bytes)) {
+      continue;
+    }
     fs.mkdirSync(path.dirname(target), { recursive: true });
     fs.writeFileSync(target, bytes);
   }
@@ -119,7 +139,9 @@ const site = new Map(); // path in the site → content
 
 const wasmPath = given.program.replace(/\.js$/, ".wasm");
 for (const file of [given.program, wasmPath]) {
-  if (!fs.existsSync(file)) stop([`${file} is missing: build the target tanklab first`]);
+  if (!fs.existsSync(file)) {
+    stop([`${file} is missing: build the target tanklab first`]);
+  }
 }
 const wasm = fs.readFileSync(wasmPath);
 site.set("tanklab.wasm", wasm);
@@ -127,8 +149,12 @@ site.set("tanklab.wasm", wasm);
 const assets = filesBelow(given.assets)
   .filter((file) => path.extname(file).toLowerCase() in ASSET_TYPES)
   .map((file) => ({ name: path.basename(file), file, bytes: fs.readFileSync(path.join(given.assets, file)) }));
-if (assets.length === 0) missing.push(`${given.assets} holds no models`);
-for (const { file, bytes } of assets) site.set(`assets/${file}`, bytes);
+if (assets.length === 0) {
+  missing.push(`${given.assets} holds no models`);
+}
+for (const { file, bytes } of assets) {
+  site.set(`assets/${file}`, bytes);
+}
 
 const describe = (address) => ({
   program: { name: "tanklab.wasm", url: address("tanklab.wasm", wasm, "application/wasm"), bytes: wasm.length },
@@ -158,7 +184,11 @@ async function bundleNamed(file, inside) {
   }
   bundled.add(file);
   const files = await bundle(file, inside);
-  if (!inside) for (const { file: target, content } of files) site.set(target, content);
+  if (!inside) {
+    for (const { file: target, content } of files) {
+      site.set(target, content);
+    }
+  }
   return files[0].content;
 }
 
@@ -166,38 +196,64 @@ async function bundleNamed(file, inside) {
 async function makeHtml(source, inside) {
   let html = await replaceEach(source, /<link\b[^>]*>/g, async ([tag]) => {
     const file = attribute(tag, "href");
-    if (!isLocal(file)) return tag;
+    if (!isLocal(file)) {
+      return tag;
+    }
     if (attribute(tag, "rel") === "stylesheet") {
       const style = await bundleNamed(file, inside);
-      if (!style) return "";
-      if (inside) return `<style>${style}</style>`;
+      if (!style) {
+        return "";
+      }
+      if (inside) {
+        return `<style>${style}</style>`;
+      }
       return tag.replace(`"${file}"`, `"${versioned(file, style)}"`);
     }
-    if (!inside || !fs.existsSync(local(file))) return tag;
-    return tag.replace(`"${file}"`, `"${dataUrl(TYPES[path.extname(file)] ?? "text/plain", fs.readFileSync(local(file)))}"`);
+    if (!inside || !fs.existsSync(local(file))) {
+      return tag;
+    }
+    return tag.replace(
+      `"${file}"`,
+      `"${dataUrl(TYPES[path.extname(file)] ?? "text/plain", fs.readFileSync(local(file)))}"`,
+    );
   });
   html = await replaceEach(html, /<script\b[^>]*\ssrc="[^"]*"[^>]*>\s*<\/script>/g, async ([tag]) => {
     const file = attribute(tag, "src");
-    if (!isLocal(file)) return tag;
+    if (!isLocal(file)) {
+      return tag;
+    }
     const script = await bundleNamed(file, inside);
-    if (!script) return "";
-    if (inside) return `<script type="module">${script}</script>`;
+    if (!script) {
+      return "";
+    }
+    if (inside) {
+      return `<script type="module">${script}</script>`;
+    }
     return tag.replace(`"${file}"`, `"${versioned(file, script)}"`);
   });
   if (inside) {
     html = await replaceEach(html, /<img\b[^>]*>/g, async ([tag]) => {
       const file = attribute(tag, "src");
-      if (!isLocal(file) || !fs.existsSync(local(file))) return tag;
-      return tag.replace(`"${file}"`, `"${dataUrl(TYPES[path.extname(file)] ?? "image/png", fs.readFileSync(local(file)))}"`);
+      if (!isLocal(file) || !fs.existsSync(local(file))) {
+        return tag;
+      }
+      return tag.replace(
+        `"${file}"`,
+        `"${dataUrl(TYPES[path.extname(file)] ?? "image/png", fs.readFileSync(local(file)))}"`,
+      );
     });
   }
   const files = inside ? filesInside : filesOfSite;
   // Fetching starts before the script has arrived; the addresses are the ones that it will ask for.
   const early = inside
     ? ""
-    : [files.program, ...files.assets].map(({ url }) => `<link rel="preload" as="fetch" crossorigin href="${url}">\n`).join("");
+    : [files.program, ...files.assets]
+        .map(({ url }) => `<link rel="preload" as="fetch" crossorigin href="${url}">\n`)
+        .join("");
   const list = `${early}<script type="application/json" id="tanklab-files">${asJson(files)}</script>\n`;
-  if (!html.includes("</head>")) stop(["web/index.html has no </head> to put the list of files before"]);
+  if (!html.includes("</head>")) {
+    stop(["web/index.html has no </head> to put the list of files before"]);
+  }
   return html.replace("</head>", () => `${list}</head>`);
 }
 
@@ -206,7 +262,9 @@ if (fs.existsSync(local("index.html"))) {
   site.set("index.html", await makeHtml(source, false));
   site.set("tanklab.html", await makeHtml(source, true));
   for (const file of filesBelow(given.web)) {
-    if (bundled.has(file) || [".js", ".mjs", ".css", ".html", ".md"].includes(path.extname(file))) continue;
+    if (bundled.has(file) || [".js", ".mjs", ".css", ".html", ".md"].includes(path.extname(file))) {
+      continue;
+    }
     site.set(file, fs.readFileSync(local(file)));
   }
 } else {
@@ -215,8 +273,17 @@ if (fs.existsSync(local("index.html"))) {
 
 writeFolder(given.out, site);
 const size = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
-const script = Buffer.concat([...site].filter(([file]) => file.endsWith(".js") && !file.startsWith("later/")).map(([, bytes]) => bytes));
-for (const [name, bytes] of [["program", wasm], ["script", script]]) {
-  console.log(`${name.padEnd(8)} ${size(bytes.length).padStart(10)} ${size(gzipSync(bytes, { level: 9 }).length).padStart(10)} gzipped`);
+const script = Buffer.concat(
+  [...site].filter(([file]) => file.endsWith(".js") && !file.startsWith("later/")).map(([, bytes]) => bytes),
+);
+for (const [name, bytes] of [
+  ["program", wasm],
+  ["script", script],
+]) {
+  console.log(
+    `${name.padEnd(8)} ${size(bytes.length).padStart(10)} ${size(gzipSync(bytes, { level: 9 }).length).padStart(10)} gzipped`,
+  );
 }
-if (missing.length > 0) stop([...new Set(missing)]);
+if (missing.length > 0) {
+  stop([...new Set(missing)]);
+}

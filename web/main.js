@@ -36,7 +36,9 @@ function requireWebGl2() {
 /** Notes what takes how long, for scripts/bench, and lets people see the picture and use it. */
 function reveal() {
   performance.mark("tanklab-first-frame");
-  for (const element of document.querySelectorAll("[inert]")) element.inert = false;
+  for (const element of document.querySelectorAll("[inert]")) {
+    element.inert = false;
+  }
   document.body.classList.replace("loading", "ready");
   hideProgress();
   canvas.focus({ preventScroll: true });

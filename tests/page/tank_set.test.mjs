@@ -32,10 +32,16 @@ test("low models and textures go to the tank that is shown; other high models be
   assert.equal(withLow.files.length, 5);
   set.shown(withLow.files);
   const other = set.add(named("other/Body.obj", "other/Gun.obj"));
-  assert.deepEqual(other.files.map(({ name }) => name), ["other/Body.obj", "other/Gun.obj"]);
+  assert.deepEqual(
+    other.files.map(({ name }) => name),
+    ["other/Body.obj", "other/Gun.obj"],
+  );
   const part = set.add(named("other/Body.obj", "BodyLow.obj"));
   assert.match(part.missing, /Gun\.obj and GunLow\.obj are missing\. Bring them, too/);
   set.keep(part.files);
   const whole = set.add(named("third/Body.obj", "third/Gun.obj")); // no mix with what waits of the other one
-  assert.deepEqual(whole.files.map(({ name }) => name), ["third/Body.obj", "third/Gun.obj"]);
+  assert.deepEqual(
+    whole.files.map(({ name }) => name),
+    ["third/Body.obj", "third/Gun.obj"],
+  );
 });

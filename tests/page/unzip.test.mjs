@@ -30,7 +30,9 @@ function open(bytes, { limit = 32 * MEGABYTE, budget = 256 * MEGABYTE } = {}) {
     limitOf: (path) => (path.endsWith(".obj") ? limit : 0),
     takeFromBudget: (count) => {
       left -= count;
-      if (left < 0) throw new Error("too much");
+      if (left < 0) {
+        throw new Error("too much");
+      }
     },
   });
 }
@@ -39,11 +41,15 @@ function open(bytes, { limit = 32 * MEGABYTE, budget = 256 * MEGABYTE } = {}) {
 function changed(bytes, field, value, size = 4) {
   const copy = bytes.slice();
   const view = new DataView(copy.buffer);
-  for (let at = 0; at < copy.length - 4; ++at)
+  for (let at = 0; at < copy.length - 4; ++at) {
     if (view.getUint32(at, true) === 0x02014b50) {
-      if (size === 4) view.setUint32(at + field, value, true);
-      else view.setUint16(at + field, value, true);
+      if (size === 4) {
+        view.setUint32(at + field, value, true);
+      } else {
+        view.setUint16(at + field, value, true);
+      }
     }
+  }
   return copy;
 }
 
@@ -54,17 +60,25 @@ const deflated = zipArchive({ "tankbody.obj": text("v 0 0 0\n".repeat(5000)) });
 
 test("the wanted files come out, packed or stored, and others stay", async () => {
   const files = await open(honest);
-  assert.deepEqual(files.map(({ name }) => name), ["a.zip/x/tankbody.obj"]);
+  assert.deepEqual(
+    files.map(({ name }) => name),
+    ["a.zip/x/tankbody.obj"],
+  );
   assert.equal(new TextDecoder().decode(files[0].bytes), "v 0 0 0\n".repeat(5000));
   assert.equal(new TextDecoder().decode((await open(stored))[0].bytes), "v 0 0 0\n");
 });
 
 test("a comment behind an archive may look like the end of one", async () => {
-  assert.equal((await open(zipArchive({ "tankbody.obj": text("v") }, { comment: "PK\u0005\u0006 is no end" })))[0].bytes.length, 1);
+  assert.equal(
+    (await open(zipArchive({ "tankbody.obj": text("v") }, { comment: "PK\u0005\u0006 is no end" })))[0].bytes.length,
+    1,
+  );
 });
 
 test("an archive that is none is named", async () => {
-  for (const bytes of [new Uint8Array(0), text("no zip"), new Uint8Array(70000)]) await assert.rejects(open(bytes), /^Error: a\.zip is no zip archive\. Drop /);
+  for (const bytes of [new Uint8Array(0), text("no zip"), new Uint8Array(70000)]) {
+    await assert.rejects(open(bytes), /^Error: a\.zip is no zip archive\. Drop /);
+  }
 });
 
 test("an archive that is cut short is named", async () => {
@@ -80,12 +94,20 @@ test("another way of packing is named", async () => {
 });
 
 test("a file that is longer or shorter than the archive says is refused as it comes", async () => {
-  for (const size of [10, 39_999, 40_001, 1 << 20]) await assert.rejects(open(changed(deflated, 24, size)), new RegExp(`not as long as the archive says \\(${size} bytes\\)`));
+  for (const size of [10, 39_999, 40_001, 1 << 20]) {
+    await assert.rejects(
+      open(changed(deflated, 24, size)),
+      new RegExp(`not as long as the archive says \\(${size} bytes\\)`),
+    );
+  }
   await assert.rejects(open(changed(stored, 24, 7)), /not as long/);
 });
 
 test("a file that would be too long is refused before it is unpacked", async () => {
-  await assert.rejects(open(changed(deflated, 24, 100 * MEGABYTE)), /tankbody\.obj in a\.zip has 100 MB and at most 32 MB are read/);
+  await assert.rejects(
+    open(changed(deflated, 24, 100 * MEGABYTE)),
+    /tankbody\.obj in a\.zip has 100 MB and at most 32 MB are read/,
+  );
 });
 
 test("what all files come to is counted while they come", async () => {
@@ -97,7 +119,9 @@ test("what all files come to is counted while they come", async () => {
 });
 
 test("a path that leads out of the archive is named, wherever it is", async () => {
-  for (const path of ["../tankbody.obj", "a/../../b.txt", "/etc/passwd", "C:\\tankbody.obj", "a\\..\\b"]) await assert.rejects(open(zipArchive({ "tankbody.obj": text("v"), [path]: text("v") })), /leads out/);
+  for (const path of ["../tankbody.obj", "a/../../b.txt", "/etc/passwd", "C:\\tankbody.obj", "a\\..\\b"]) {
+    await assert.rejects(open(zipArchive({ "tankbody.obj": text("v"), [path]: text("v") })), /leads out/);
+  }
   assert.equal((await open(zipArchive({ "a..b/tankbody.obj": text("v") }))).length, 1);
 });
 
@@ -115,19 +139,25 @@ test("damaged content is named", async () => {
 test("no bytes make it hang or fail without a sentence", async () => {
   let seed = 1;
   const random = (below) => (seed = (seed * 48271) % 2147483647) % below;
-  for (const original of [honest, zipArchive(FILES, { streamed: true, zip64: true })])
+  for (const original of [honest, zipArchive(FILES, { streamed: true, zip64: true })]) {
     for (let round = 0; round < 300; ++round) {
       const bytes = original.slice();
-      for (let i = 0; i <= random(4); ++i) bytes[random(bytes.length)] = random(256);
+      for (let i = 0; i <= random(4); ++i) {
+        bytes[random(bytes.length)] = random(256);
+      }
       await open(bytes).catch((error) => assert.match(error.message, /a\.zip/, error.stack));
     }
+  }
 });
 
 test("a browser that cannot unpack is told so, and takes what is not packed", async () => {
   const { DecompressionStream } = globalThis;
   delete globalThis.DecompressionStream;
   try {
-    await assert.rejects(open(deflated), /^Error: This browser cannot unpack archives\. Unpack it yourself and drop the folder/);
+    await assert.rejects(
+      open(deflated),
+      /^Error: This browser cannot unpack archives\. Unpack it yourself and drop the folder/,
+    );
     assert.equal((await open(stored)).length, 1);
   } finally {
     globalThis.DecompressionStream = DecompressionStream;

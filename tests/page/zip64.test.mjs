@@ -30,7 +30,9 @@ class HollowFile {
   slice(from, to) {
     const part = new Uint8Array(Math.min(to, this.size) - from);
     const [begin, end] = [Math.max(this.at, from), from + part.length];
-    if (begin < end) part.set(this.bytes.subarray(begin - this.at, end - this.at), begin - from);
+    if (begin < end) {
+      part.set(this.bytes.subarray(begin - this.at, end - this.at), begin - from);
+    }
     return new Blob([part]);
   }
 }
@@ -56,24 +58,35 @@ function changed(bytes, signature, field, value, size = 8) {
   const copy = bytes.slice();
   const view = new DataView(copy.buffer);
   const at = placeOf(bytes, signature) + field;
-  if (size === 8) view.setBigUint64(at, BigInt(value), true);
-  else if (size === 4) view.setUint32(at, value, true);
-  else view.setUint16(at, value, true);
+  if (size === 8) {
+    view.setBigUint64(at, BigInt(value), true);
+  } else if (size === 4) {
+    view.setUint32(at, value, true);
+  } else {
+    view.setUint16(at, value, true);
+  }
   return copy;
 }
 
-for (const zip64 of [false, true])
+for (const zip64 of [false, true]) {
   test(`an archive that was written as a stream is read, ${zip64 ? "with" : "without"} ZIP64`, async () => {
     const archive = zipArchive(FILES, { ...STORED, streamed: true, zip64 });
     const begin = new DataView(archive.buffer, placeOf(archive, LOCAL));
     const known = [begin.getUint32(14, true), ...(zip64 ? [] : [begin.getUint32(18, true), begin.getUint32(22, true)])];
-    assert.ok(known.every((value) => value === 0), "checksum and sizes are not known yet where a file begins");
+    assert.ok(
+      known.every((value) => value === 0),
+      "checksum and sizes are not known yet where a file begins",
+    );
     assert.deepEqual(await open(archive), [CONTENT]);
   });
+}
 
 test("a ZIP64 archive is read", async () => {
   const end = new DataView(ZIP_64.buffer, placeOf(ZIP_64, END));
-  assert.deepEqual([end.getUint16(10, true), end.getUint32(12, true), end.getUint32(16, true)], [0xffff, 0xffffffff, 0xffffffff]);
+  assert.deepEqual(
+    [end.getUint16(10, true), end.getUint32(12, true), end.getUint32(16, true)],
+    [0xffff, 0xffffffff, 0xffffffff],
+  );
   assert.deepEqual(await open(ZIP_64), [CONTENT]);
 });
 
@@ -101,23 +114,45 @@ test("of 70,000 files the last one is found, where ZIP64 has no more than their 
 
 test("a list of files that is too long is not read", async () => {
   const end = changed(zipArchive({}), END, 12, 17 << 20, 4);
-  await assert.rejects(open(new HollowFile(17 << 20, end)), /a\.zip is damaged: its list of files is not where it says/);
+  await assert.rejects(
+    open(new HollowFile(17 << 20, end)),
+    /a\.zip is damaged: its list of files is not where it says/,
+  );
 });
 
 const FAR = 2 ** 50;
+const MISPLACED = /^Error: a\.zip is damaged: its list of files is not where it says/;
+const BREAKS_OFF = /^Error: a\.zip is damaged: its list of files breaks off/;
 for (const [name, archive, expected] of [
-  ["the place of its end", changed(ZIP_64, LOCATOR_64, 8, FAR), /^Error: a\.zip is damaged: its list of files is not where it says/],
-  ["its end", changed(ZIP_64, END_64, 0, 0), /a\.zip is damaged: its list of files is not where it says/],
-  ["the place of its list", changed(ZIP_64, END_64, 48, FAR), /a\.zip is damaged: its list of files is not where it says/],
-  ["the size of its list", changed(ZIP_64, END_64, 40, FAR), /a\.zip is damaged: its list of files is not where it says/],
-  ["the number of its files", changed(ZIP_64, END_64, 32, FAR), /a\.zip is damaged: its list of files breaks off/],
+  ["the place of its end", changed(ZIP_64, LOCATOR_64, 8, FAR), MISPLACED],
+  ["its end", changed(ZIP_64, END_64, 0, 0), MISPLACED],
+  ["the place of its list", changed(ZIP_64, END_64, 48, FAR), MISPLACED],
+  ["the size of its list", changed(ZIP_64, END_64, 40, FAR), MISPLACED],
+  ["the number of its files", changed(ZIP_64, END_64, 32, FAR), BREAKS_OFF],
   ["the number of its parts", changed(ZIP_64, END_64, 16, 3, 4), /a\.zip is a part of an archive in several files/],
-  ["the length of a file's sizes", changed(ZIP_64, ENTRY, IN_EXTRA - 2, 16, 2), /a\.zip is damaged: its list of files breaks off/],
-  ["the length of a file's extra fields", changed(ZIP_64, ENTRY, 30, 12, 2), /a\.zip is damaged: its list of files breaks off/],
-  ["the size of a file", changed(ZIP_64, ENTRY, IN_EXTRA, FAR), /tankbody\.obj in a\.zip has 1073741824 MB and at most 32 MB are read/],
-  ["the packed size of a file", changed(ZIP_64, ENTRY, IN_EXTRA + 8, FAR), /tankbody\.obj in a\.zip is not where the archive says/],
-  ["the place of a file", changed(ZIP_64, ENTRY, IN_EXTRA + 16, FAR), /tankbody\.obj in a\.zip is not where the archive says/],
-  ["a file's size by a byte", changed(ZIP_64, ENTRY, IN_EXTRA, CONTENT.length - 1), /not as long as the archive says \(39999 bytes\)/],
+  ["the length of a file's sizes", changed(ZIP_64, ENTRY, IN_EXTRA - 2, 16, 2), BREAKS_OFF],
+  ["the length of a file's extra fields", changed(ZIP_64, ENTRY, 30, 12, 2), BREAKS_OFF],
+  [
+    "the size of a file",
+    changed(ZIP_64, ENTRY, IN_EXTRA, FAR),
+    /tankbody\.obj in a\.zip has 1073741824 MB and at most 32 MB are read/,
+  ],
+  [
+    "the packed size of a file",
+    changed(ZIP_64, ENTRY, IN_EXTRA + 8, FAR),
+    /tankbody\.obj in a\.zip is not where the archive says/,
+  ],
+  [
+    "the place of a file",
+    changed(ZIP_64, ENTRY, IN_EXTRA + 16, FAR),
+    /tankbody\.obj in a\.zip is not where the archive says/,
+  ],
+  [
+    "a file's size by a byte",
+    changed(ZIP_64, ENTRY, IN_EXTRA, CONTENT.length - 1),
+    /not as long as the archive says \(39999 bytes\)/,
+  ],
   ["a checksum", changed(ZIP_64, ENTRY, 16, 1, 4), /tankbody\.obj in a\.zip is damaged: its checksum does not fit/],
-])
+]) {
   test(`what a ZIP64 archive has wrong is named: ${name}`, () => assert.rejects(open(archive), expected));
+}

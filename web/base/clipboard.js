@@ -9,7 +9,9 @@ export async function copyText(text, element = null) {
   } catch {
     // Not a secure address (a file, plain http), or not allowed.
   }
-  if (!element) return false;
+  if (!element) {
+    return false;
+  }
   if (element.select) {
     element.focus();
     element.select();

@@ -3,7 +3,9 @@
 /** Makes an element with a class, and content: texts and elements. */
 export function element(name, className = "", ...content) {
   const made = document.createElement(name);
-  if (className) made.className = className;
+  if (className) {
+    made.className = className;
+  }
   made.append(...content);
   return made;
 }

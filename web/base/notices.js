@@ -4,14 +4,21 @@ const box = document.getElementById("notices");
 
 /** Takes away the notices about a topic. */
 export function dismiss(topic) {
-  for (const notice of [...box.children]) if (notice.dataset.topic === topic) notice.remove();
+  for (const notice of [...box.children]) {
+    if (notice.dataset.topic === topic) {
+      notice.remove();
+    }
+  }
 }
 
 /** Shows a sentence. The same sentence is not shown twice.
     topic: what dismiss() finds it by. field: an element to show below the sentence. */
 export function notify(sentence, { topic = "", field = null } = {}) {
-  for (const other of [...box.children])
-    if (other.dataset.topic === topic && other.querySelector("p").textContent === sentence) other.remove();
+  for (const other of [...box.children]) {
+    if (other.dataset.topic === topic && other.querySelector("p").textContent === sentence) {
+      other.remove();
+    }
+  }
   const notice = document.createElement("div");
   notice.className = "panel notice";
   notice.dataset.topic = topic;
@@ -24,6 +31,8 @@ export function notify(sentence, { topic = "", field = null } = {}) {
   close.setAttribute("aria-label", "Dismiss this message");
   close.onclick = () => notice.remove();
   notice.append(text, close);
-  if (field) notice.append(field);
+  if (field) {
+    notice.append(field);
+  }
   box.append(notice);
 }

@@ -7,7 +7,9 @@ export function throttled(action, pause) {
   let next = null;
   const turn = () => {
     timer = 0;
-    if (!next) return;
+    if (!next) {
+      return;
+    }
     const { value } = next;
     next = null;
     timer = setTimeout(turn, pause);
@@ -15,6 +17,8 @@ export function throttled(action, pause) {
   };
   return (value) => {
     next = { value };
-    if (!timer) turn();
+    if (!timer) {
+      turn();
+    }
   };
 }

@@ -11,13 +11,17 @@ function holdWhilePressed(made, name, act) {
   const hold = () => {
     clearTimeout(timer);
     timer = 0;
-    if (!held) act(name, 1);
+    if (!held) {
+      act(name, 1);
+    }
     held = true;
   };
   const release = () => {
     clearTimeout(timer);
     timer = 0;
-    if (held) act(name, 0);
+    if (held) {
+      act(name, 0);
+    }
     held = false;
   };
   const tap = () => {
@@ -26,7 +30,9 @@ function holdWhilePressed(made, name, act) {
   };
 
   made.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
+    if (event.button !== 0) {
+      return;
+    }
     if (event.pointerType !== "touch") {
       made.setPointerCapture(event.pointerId);
       hold();
@@ -35,22 +41,32 @@ function holdWhilePressed(made, name, act) {
     }
   });
   made.addEventListener("pointerup", () => (timer && !held ? tap() : release()));
-  for (const end of ["pointercancel", "lostpointercapture", "blur"])
+  for (const end of ["pointercancel", "lostpointercapture", "blur"]) {
     made.addEventListener(end, () => {
-      if (!(held && timer)) release(); // a tap ends by itself
+      // A tap ends by itself.
+      if (!(held && timer)) {
+        release();
+      }
     });
+  }
   made.addEventListener("touchmove", (event) => held && event.cancelable && event.preventDefault(), { passive: false });
   made.addEventListener("contextmenu", (event) => event.preventDefault()); // what a long touch asks for
   addEventListener("blur", release);
 
   const presses = (event) => event.code === "Enter" || event.code === "Space" || event.code === "NumpadEnter";
   made.addEventListener("keydown", (event) => {
-    if (!presses(event)) return;
+    if (!presses(event)) {
+      return;
+    }
     event.preventDefault();
-    if (!event.repeat) hold();
+    if (!event.repeat) {
+      hold();
+    }
   });
   made.addEventListener("keyup", (event) => {
-    if (!presses(event)) return;
+    if (!presses(event)) {
+      return;
+    }
     event.preventDefault(); // or Space would be a click as well
     release();
   });
@@ -64,9 +80,13 @@ const buttons = []; // all that were made
 export function lightHeld(program) {
   let shown = "";
   program.listen(({ held }) => {
-    if (held.join() === shown) return;
+    if (held.join() === shown) {
+      return;
+    }
     shown = held.join();
-    for (const one of buttons) one.classList.toggle("held", held.includes(one.dataset.command));
+    for (const one of buttons) {
+      one.classList.toggle("held", held.includes(one.dataset.command));
+    }
   });
 }
 
@@ -75,7 +95,10 @@ export function commandButton(command, className, content, act) {
   const made = button(className, content);
   made.dataset.command = command.name;
   buttons.push(made);
-  if (command.kind === "hold") holdWhilePressed(made, command.name, act);
-  else made.addEventListener("click", () => act(command.name, 1));
+  if (command.kind === "hold") {
+    holdWhilePressed(made, command.name, act);
+  } else {
+    made.addEventListener("click", () => act(command.name, 1));
+  }
   return made;
 }

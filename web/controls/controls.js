@@ -19,7 +19,9 @@ function numberControl(field, act) {
 
   const number = element("input", "number");
   Object.assign(number, { type: "number", id, step: "any", inputMode: "decimal" });
-  if (!field.wraps) Object.assign(number, { min: field.minimum, max: field.maximum });
+  if (!field.wraps) {
+    Object.assign(number, { min: field.minimum, max: field.maximum });
+  }
   const restore = () => {
     typing = false;
     number.value = shown;
@@ -28,11 +30,15 @@ function numberControl(field, act) {
   number.onchange = () => {
     const typed = number.value;
     restore(); // the state then says what became of it
-    if (typed !== "") act(field.name, Number(typed));
+    if (typed !== "") {
+      act(field.name, Number(typed));
+    }
   };
   number.onblur = restore;
   number.onkeydown = (event) => {
-    if (event.key !== "Escape") return;
+    if (event.key !== "Escape") {
+      return;
+    }
     event.preventDefault();
     restore();
     number.select();
@@ -45,7 +51,9 @@ function numberControl(field, act) {
   slider.ondblclick = () => act(field.name, field.default);
   slider.onkeydown = (event) => {
     const steps = ARROWS[event.key];
-    if (steps === undefined) return;
+    if (steps === undefined) {
+      return;
+    }
     event.preventDefault();
     act(field.name, shown + steps * (event.shiftKey ? field.step : keyStep(field, shown)));
   };
@@ -61,7 +69,9 @@ function numberControl(field, act) {
     elements: [label, back, element("span", "amount", number, element("span", "unit", unit)), slider],
     show: (value) => {
       shown = value;
-      if (!typing) number.value = value;
+      if (!typing) {
+        number.value = value;
+      }
       const place = scale.place(value);
       const [from, to] = [place, scale.place(field.default)].sort((a, b) => a - b);
       slider.value = place;
@@ -83,7 +93,9 @@ function switchControl(field, act) {
 
 function listControl(field, act) {
   const list = element("select");
-  for (const [i, name] of field.choices.entries()) list.append(new Option(spoken(name), String(i)));
+  for (const [i, name] of field.choices.entries()) {
+    list.append(new Option(spoken(name), String(i)));
+  }
   list.onchange = () => act(field.name, Number(list.value));
   const label = element("label", "whole", element("span", "", field.title), list);
   return { elements: [label], show: (value) => (list.value = String(field.choices.indexOf(value))) };
@@ -108,13 +120,20 @@ export function segmentsControl(field, act) {
   segments.setAttribute("role", "radiogroup");
   segments.setAttribute("aria-label", field.title);
   const title = element("span", "whole", field.title);
-  return { elements: [title, segments], show: (value) => inputs.forEach((input) => (input.checked = input.value === value)) };
+  return {
+    elements: [title, segments],
+    show: (value) => inputs.forEach((input) => (input.checked = input.value === value)),
+  };
 }
 
 /** Makes the control that fits a field. act: does a command, telling what goes wrong. */
 export function control(field, act) {
-  if (!field.choices) return numberControl(field, act);
-  if (field.choices.join() === "off,on") return switchControl(field, act);
+  if (!field.choices) {
+    return numberControl(field, act);
+  }
+  if (field.choices.join() === "off,on") {
+    return switchControl(field, act);
+  }
   return field.choices.join("").length <= SHORT ? segmentsControl(field, act) : listControl(field, act);
 }
 

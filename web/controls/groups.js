@@ -5,7 +5,9 @@ import { recall, remember } from "../base/storage.js";
 /** Returns the values of a table by their group, in the table's order, as a Map. */
 export function byGroup(rows) {
   const groups = new Map();
-  for (const row of rows) groups.set(row.group, [...(groups.get(row.group) ?? []), row]);
+  for (const row of rows) {
+    groups.set(row.group, [...(groups.get(row.group) ?? []), row]);
+  }
   return groups;
 }
 

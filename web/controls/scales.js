@@ -8,8 +8,12 @@ const logarithmic = { bend: Math.log, straighten: Math.exp };
 const square = { bend: (x) => Math.sign(x) * Math.sqrt(Math.abs(x)), straighten: (x) => x * Math.abs(x) };
 
 function curveOf({ unit, minimum, maximum }) {
-  if (unit === "degrees") return linear;
-  if (minimum > 0 && maximum / minimum >= 20) return logarithmic;
+  if (unit === "degrees") {
+    return linear;
+  }
+  if (minimum > 0 && maximum / minimum >= 20) {
+    return logarithmic;
+  }
   return maximum - minimum >= WIDE ? square : linear;
 }
 

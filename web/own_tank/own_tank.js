@@ -16,7 +16,9 @@ function input(attributes, take) {
   made.onchange = () => {
     const files = [...made.files];
     made.value = ""; // so that the same files can be chosen again
-    if (files.length > 0) take(() => chosenFiles(files));
+    if (files.length > 0) {
+      take(() => chosenFiles(files));
+    }
   };
   return made;
 }
@@ -27,9 +29,18 @@ function dialog(parts) {
     "dialog",
     "panel own-tank",
     element("h2", "", "Your own tank"),
-    element("p", "", "Drop tankLab.zip, tankLOD.zip, the folder tankobjs or its files anywhere on the page, or choose them here. They stay on this computer."),
+    element(
+      "p",
+      "",
+      "Drop tankLab.zip, tankLOD.zip, the folder tankobjs or its files anywhere on the page, or choose them here. They stay on this computer.",
+    ),
     element("div", "buttons", ...parts.choosers()),
-    element("div", "buttons", parts.back, button("quiet", "Close", () => made.close())),
+    element(
+      "div",
+      "buttons",
+      parts.back,
+      button("quiet", "Close", () => made.close()),
+    ),
   );
   made.setAttribute("aria-label", "Your own tank");
   made.onclick = (event) => event.target === made && made.close(); // beside it
@@ -44,7 +55,9 @@ function joinDrop(take) {
   document.body.append(sign);
   const hasFiles = (event) => event.dataTransfer?.types.includes("Files");
   addEventListener("dragover", (event) => {
-    if (!hasFiles(event)) return;
+    if (!hasFiles(event)) {
+      return;
+    }
     event.preventDefault(); // or the browser would open the file
     event.dataTransfer.dropEffect = "copy";
     sign.hidden = false;
@@ -52,7 +65,9 @@ function joinDrop(take) {
   addEventListener("dragleave", (event) => (sign.hidden ||= !event.relatedTarget)); // the window, not a part of it
   addEventListener("drop", (event) => {
     sign.hidden = true;
-    if (!hasFiles(event)) return;
+    if (!hasFiles(event)) {
+      return;
+    }
     event.preventDefault();
     const files = droppedFiles(event.dataTransfer);
     take(() => files);
@@ -64,7 +79,9 @@ function keepInLinks(program) {
   document.addEventListener("click", (event) => {
     const link = event.target.closest?.("a[href^='#']");
     const { tank, has_own_tank: has } = program.newest ?? {};
-    if (!link || tank !== "own" || !has || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    if (!link || tank !== "own" || !has || event.ctrlKey || event.metaKey || event.shiftKey) {
+      return;
+    }
     event.preventDefault();
     location.hash = link.hash ? `${link.hash}&tank=own` : "#tank=own";
   });
@@ -89,18 +106,24 @@ export function joinOwnTank({ canvas, program, act }) {
     tell("Assembling the tank …");
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done))); // the sentence is seen first
     const { error, notes } = program.bringTank(all);
-    if (error) throw new Error(`${error.replace(/\.?$/, ".")} The tank stays as it was.`);
+    if (error) {
+      throw new Error(`${error.replace(/\.?$/, ".")} The tank stays as it was.`);
+    }
     set.shown(all);
     tell(notes.join(" ") || "These are Tank Lab’s own files.");
     box.close();
     canvas.focus({ preventScroll: true });
   };
   const take = async (find) => {
-    if (busy) return;
+    if (busy) {
+      return;
+    }
     busy = true;
     let told = performance.now();
     const progress = (sentence) => {
-      if (performance.now() - told < PROGRESS_MS) return;
+      if (performance.now() - told < PROGRESS_MS) {
+        return;
+      }
       told = performance.now();
       tell(sentence);
     };
@@ -121,7 +144,10 @@ export function joinOwnTank({ canvas, program, act }) {
   const folder = input({ webkitdirectory: true }, take);
   folder.id = "own-tank-folder";
   const choosers = () => element("span", "buttons", ...chooserButtons());
-  const chooserButtons = () => [button("strong", "Choose files", () => files.click()), button("", "Choose a folder", () => folder.click())];
+  const chooserButtons = () => [
+    button("strong", "Choose files", () => files.click()),
+    button("", "Choose a folder", () => folder.click()),
+  ];
   const back = button("quiet", "Back to Tank Lab’s tank", () => {
     act("tank", 0);
     box.close();
@@ -139,8 +165,12 @@ export function joinOwnTank({ canvas, program, act }) {
   program.listen(({ tank, has_own_tank: has }) => {
     back.hidden = tank !== "own" || !has;
     const lacks = tank === "own" && !has;
-    if (lacks && !asked) tell(NEEDED, choosers());
-    if (!lacks && asked) dismiss(TOPIC);
+    if (lacks && !asked) {
+      tell(NEEDED, choosers());
+    }
+    if (!lacks && asked) {
+      dismiss(TOPIC);
+    }
     asked = lacks;
   });
 }

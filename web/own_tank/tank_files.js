@@ -28,7 +28,9 @@ async function fetchUnzip() {
     return (await import("./unzip.js")).unzip;
   } catch {
     // Firefox keeps the failure until the page is loaded anew.
-    throw new Error("The part of the page that unpacks archives did not arrive. Check your connection and reload the page, or unpack the archive and drop the folder.");
+    throw new Error(
+      "The part of the page that unpacks archives did not arrive. Check your connection and reload the page, or unpack the archive and drop the folder.",
+    );
   }
 }
 
@@ -43,12 +45,20 @@ export async function readTankFiles(found, manifest, show) {
   let left = MOST_BYTES;
   const takeFromBudget = (count) => {
     left -= count;
-    if (left < 0) throw new Error(`The files come to more than ${megabytes(MOST_BYTES)} MB unpacked, more than a tank needs. Reduce them.`);
+    if (left < 0) {
+      throw new Error(
+        `The files come to more than ${megabytes(MOST_BYTES)} MB unpacked, more than a tank needs. Reduce them.`,
+      );
+    }
   };
   const wanted = found.filter(({ path }) => limitOf(path) > 0 || isZip(path));
   for (const { path, file } of wanted) {
     const limit = limitOf(path);
-    if (limit && file.size > limit) throw new Error(`${path} has ${megabytes(file.size)} MB and at most ${megabytes(limit)} MB are read; reduce the number of its polygons or pixels.`);
+    if (limit && file.size > limit) {
+      throw new Error(
+        `${path} has ${megabytes(file.size)} MB and at most ${megabytes(limit)} MB are read; reduce the number of its polygons or pixels.`,
+      );
+    }
   }
   const files = [];
   for (const { path, file } of wanted) {
@@ -67,7 +77,9 @@ export async function readTankFiles(found, manifest, show) {
   }
   if (files.length === 0) {
     const what = found.length === 1 ? `${found[0].path} holds` : "The files dropped hold";
-    throw new Error(`${what} nothing of a tank. Drop tankLab.zip, tankLOD.zip, the folder tankobjs or its files, such as ${manifest.meshes[0]}.`);
+    throw new Error(
+      `${what} nothing of a tank. Drop tankLab.zip, tankLOD.zip, the folder tankobjs or its files, such as ${manifest.meshes[0]}.`,
+    );
   }
   return files;
 }

@@ -25,12 +25,16 @@ export class TankSet {
   /** Adds files to those that wait; files without a high model go to the tank that is shown.
       Returns {files, missing}: what to make a tank of, and a sentence about what that needs first, or "". */
   add(files) {
-    const missingIn = (some, names) => names.filter((name) => !some.some((file) => baseName(file.name) === name.toLowerCase()));
+    const missingIn = (some, names) =>
+      names.filter((name) => !some.some((file) => baseName(file.name) === name.toLowerCase()));
     // All high models begin a tank of their own: what waits of another one is none of it.
-    const begins = missingIn(files, this.#high).length === 0 && missingIn(this.#waiting, this.#high).length < this.#high.length;
+    const begins =
+      missingIn(files, this.#high).length === 0 && missingIn(this.#waiting, this.#high).length < this.#high.length;
     let all = merged(begins ? [] : this.#waiting, files);
     const missingOf = (names) => missingIn(all, names);
-    if (missingOf(this.#high).length === this.#high.length) all = merged(this.#shown, all);
+    if (missingOf(this.#high).length === this.#high.length) {
+      all = merged(this.#shown, all);
+    }
     const [high, low] = [missingOf(this.#high), missingOf(this.#low)];
     let missing = "";
     if (high.length === this.#high.length) {
@@ -38,7 +42,9 @@ export class TankSet {
       missing = `${only} make${low.length < this.#low.length ? "" : "s"} no tank. Bring the models of tankLab.zip, too; what you brought is kept until then.`;
     } else {
       const names = [...high, ...(low.length < this.#low.length ? low : [])];
-      if (names.length > 0) missing = `The tank is not complete: ${listed(names)} ${names.length > 1 ? "are" : "is"} missing. Bring ${names.length > 1 ? "them" : "it"}, too; what you brought is kept until then.`;
+      if (names.length > 0) {
+        missing = `The tank is not complete: ${listed(names)} ${names.length > 1 ? "are" : "is"} missing. Bring ${names.length > 1 ? "them" : "it"}, too; what you brought is kept until then.`;
+      }
     }
     return { files: all, missing };
   }

@@ -26,7 +26,11 @@ export function evidenceList(axes, act) {
       tree = null;
     }
     const places = list.querySelectorAll("dd");
-    for (const [i, { value }] of evidence.entries()) if (value !== shown[i].value) write(places[i], value);
+    for (const [i, { value }] of evidence.entries()) {
+      if (value !== shown[i].value) {
+        write(places[i], value);
+      }
+    }
     shown = evidence;
     tree?.show(state);
   };

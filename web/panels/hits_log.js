@@ -15,7 +15,9 @@ export class HitsLog {
   /** Adds what has been printed since, and takes away what the program keeps no more. */
   show({ count, log }) {
     for (const { report, text } of log) {
-      if (report <= this.count) continue;
+      if (report <= this.count) {
+        continue;
+      }
       if (!this.#reports.has(report)) {
         const item = element("li");
         item.dataset.report = report;
@@ -27,7 +29,9 @@ export class HitsLog {
     this.count = count;
     const oldest = log[0]?.report ?? 0;
     for (const [report, item] of this.#reports) {
-      if (report >= oldest) break;
+      if (report >= oldest) {
+        break;
+      }
       item.remove();
       this.#reports.delete(report);
     }

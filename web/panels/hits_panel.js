@@ -29,14 +29,22 @@ export function showHits({ program, layout, act }) {
 
   let shown = "";
   const update = (state) => {
-    if (!state) return;
+    if (!state) {
+      return;
+    }
     announce(state.hits.report);
-    if (panel.hidden) return;
+    if (panel.hidden) {
+      return;
+    }
     probe.show(state.probe);
     const text = JSON.stringify(state.hits.report);
-    if (text !== shown) showReport(now, state.hits.report);
+    if (text !== shown) {
+      showReport(now, state.hits.report);
+    }
     shown = text;
-    if (log.count !== state.hits.count) log.show(program.hits());
+    if (log.count !== state.hits.count) {
+      log.show(program.hits());
+    }
   };
   program.listen(update, PAUSE_MS);
   panel.addEventListener("shown", () => update(program.newest));

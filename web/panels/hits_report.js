@@ -14,7 +14,13 @@ const depthText = ({ depth, inside = depth >= 0 }) => (inside ? `${size(depth)} 
 /** Returns a bar from the sphere's centre, at the left, to its surface and, if what was tested is outside, on to
     that: the bright part is how deep it is. */
 function bar({ radius, distance, inside }) {
-  const made = element("div", `bar${inside ? " inside" : ""}`, element("i", "sphere"), element("i", "depth"), element("i", "tested"));
+  const made = element(
+    "div",
+    `bar${inside ? " inside" : ""}`,
+    element("i", "sphere"),
+    element("i", "depth"),
+    element("i", "tested"),
+  );
   const whole = Math.max(radius, distance) || 1;
   made.style.setProperty("--radius", `${(100 * radius) / whole}%`);
   made.style.setProperty("--distance", `${(100 * distance) / whole}%`);
@@ -23,8 +29,13 @@ function bar({ radius, distance, inside }) {
 
 /** Returns what was found of one sphere. */
 function sphere(title, test, isLine, level) {
-  const numbers = [`${metres(test.distance)} from the centre, radius ${metres(test.radius)}`, `centre ${place(test.centre)}`];
-  if (isLine) numbers.push(`closest point ${place(test.closest_point)} at t = ${Number(test.parameter.toFixed(3))}`);
+  const numbers = [
+    `${metres(test.distance)} from the centre, radius ${metres(test.radius)}`,
+    `centre ${place(test.centre)}`,
+  ];
+  if (isLine) {
+    numbers.push(`closest point ${place(test.closest_point)} at t = ${Number(test.parameter.toFixed(3))}`);
+  }
   return element(
     "div",
     `level ${level}${test.inside ? " is-inside" : ""}`,
@@ -54,7 +65,9 @@ function triangle({ part, inside, distance }) {
 const JOINS = { segment: "to", ray: "through", line: "and" };
 
 function probeText({ probe, from, to, radius }) {
-  if (probe === "point") return `Point ${place(from)}${radius > 0 ? ` with radius ${metres(radius)}` : ""}`;
+  if (probe === "point") {
+    return `Point ${place(from)}${radius > 0 ? ` with radius ${metres(radius)}` : ""}`;
+  }
   const name = probe[0].toUpperCase() + probe.slice(1);
   return `${name} ${probe === "line" ? "through" : "from"} A ${place(from)} ${JOINS[probe]} B ${place(to)}; t is 0 at A, 1 at B`;
 }
@@ -73,18 +86,38 @@ export function showReport(box, report) {
   const isLine = report.probe !== "point";
   parts.push(element("h3", "", "1. The whole tank"), sphere("Tank", report.root, isLine, "whole"));
   const { tested, parts: hit } = report;
-  parts.push(element("h3", "", report.root.inside ? `2. Its ${tested.length} parts: ${hit.length || "none"} penetrated` : "2. Its parts: not tested"));
-  if (report.root.inside) parts.push(testedParts(tested), ...hit.map((test) => sphere(spoken(test.part), test, isLine, "part")));
-  if (report.triangles.length > 0) parts.push(element("h3", "", "3. Their triangles"), ...report.triangles.map(triangle));
+  parts.push(
+    element(
+      "h3",
+      "",
+      report.root.inside
+        ? `2. Its ${tested.length} parts: ${hit.length || "none"} penetrated`
+        : "2. Its parts: not tested",
+    ),
+  );
+  if (report.root.inside) {
+    parts.push(testedParts(tested), ...hit.map((test) => sphere(spoken(test.part), test, isLine, "part")));
+  }
+  if (report.triangles.length > 0) {
+    parts.push(element("h3", "", "3. Their triangles"), ...report.triangles.map(triangle));
+  }
   box.replaceChildren(...parts);
 }
 
 /** Returns what is said of a report: only what is penetrated, not the numbers. */
 function summary(report) {
-  if (!report) return "Nothing is tested.";
-  if (report.refusal) return `Not tested: ${report.refusal}.`;
-  if (!report.root.inside) return "Outside the whole tank.";
-  if (report.parts.length === 0) return "Inside the whole tank, in none of its parts.";
+  if (!report) {
+    return "Nothing is tested.";
+  }
+  if (report.refusal) {
+    return `Not tested: ${report.refusal}.`;
+  }
+  if (!report.root.inside) {
+    return "Outside the whole tank.";
+  }
+  if (report.parts.length === 0) {
+    return "Inside the whole tank, in none of its parts.";
+  }
   return `Inside the whole tank. Penetrates ${report.parts.map(({ part }) => spoken(part)).join(", ")}.`;
 }
 
@@ -95,14 +128,22 @@ export function announcer(element) {
   let said;
   return (report) => {
     const text = summary(report);
-    if (text === newest) return;
+    if (text === newest) {
+      return;
+    }
     const isFirst = newest === null;
     newest = text;
-    if (isFirst) said = text; // what the page begins with is read where it stands
-    if (timer) return;
+    if (isFirst) {
+      said = text; // what the page begins with is read where it stands
+    }
+    if (timer) {
+      return;
+    }
     timer = setTimeout(() => {
       timer = 0;
-      if (newest !== said) element.textContent = said = newest;
+      if (newest !== said) {
+        element.textContent = said = newest;
+      }
     }, SAY_PAUSE_MS);
   };
 }

@@ -16,12 +16,21 @@ const POINTER = [
 export function showKeys(parts) {
   const panel = document.getElementById("keys");
   const withKeys = parts.program.commands().filter((command) => command.keys.length > 0);
-  panel.append(element("p", "note", "The keys work while the picture has the focus: Esc leads from here to it. Rows and keys of this list are buttons, too."));
+  panel.append(
+    element(
+      "p",
+      "note",
+      "The keys work while the picture has the focus: Esc leads from here to it. Rows and keys of this list are buttons, too.",
+    ),
+  );
   const pointer = POINTER.map(([what, how]) => element("p", "row", element("span", "", what), keycaps([how])));
   panel.append(foldedGroup("Pointer on the picture", "keys.Pointer", pointer));
   for (const [title, commands] of byGroup(withKeys)) {
     const rows = commandRows(commands, parts);
-    if (rows.length === 1) panel.append(rows[0]); // which says what a heading would
-    else panel.append(foldedGroup(title, `keys.${title}`, rows));
+    if (rows.length === 1) {
+      panel.append(rows[0]); // which says what a heading would
+    } else {
+      panel.append(foldedGroup(title, `keys.${title}`, rows));
+    }
   }
 }

@@ -14,9 +14,15 @@ function counted(entries) {
   const [passed, failed] = [count(true), count(false)];
   const open = entries.length - passed - failed;
   const parts = [];
-  if (passed) parts.push(open ? `${passed} passed` : `${passed} of ${entries.length} passed`);
-  if (failed) parts.push(`${failed} failed`);
-  if (open) parts.push(`${open} not checked`);
+  if (passed) {
+    parts.push(open ? `${passed} passed` : `${passed} of ${entries.length} passed`);
+  }
+  if (failed) {
+    parts.push(`${failed} failed`);
+  }
+  if (open) {
+    parts.push(`${open} not checked`);
+  }
   return { text: parts.join(", "), failed, isDone: open === 0 };
 }
 
@@ -52,8 +58,11 @@ export function overview(entries, onAllChecked) {
       tiles[i].textContent = task.id + markOf(passed);
       tiles[i].title = `${task.id} ${task.title}: ${verdictOf(passed) || "not checked"}`;
       tiles[i].setAttribute("aria-label", tiles[i].title);
-      if (task.id === current) tiles[i].setAttribute("aria-current", "true");
-      else tiles[i].removeAttribute("aria-current");
+      if (task.id === current) {
+        tiles[i].setAttribute("aria-current", "true");
+      } else {
+        tiles[i].removeAttribute("aria-current");
+      }
     }
     progress.hidden = !running;
     if (!running) {
@@ -62,5 +71,14 @@ export function overview(entries, onAllChecked) {
     }
     return isDone && !running ? text : "";
   };
-  return { box: element("div", "overview", element("div", "check-all", all, summary), progress, element("div", "tiles", ...tiles)), update };
+  return {
+    box: element(
+      "div",
+      "overview",
+      element("div", "check-all", all, summary),
+      progress,
+      element("div", "tiles", ...tiles),
+    ),
+    update,
+  };
 }

@@ -14,23 +14,34 @@ export function joinPanels({ canvas, program, bare, task }) {
   let wasTested = false; // since the task was opened: a panel does not close under the hand that chose "None" in it
 
   const isOpen = (name) => {
-    if (name !== "hits" || !WIDE.matches) return name === chosen;
+    if (name !== "hits" || !WIDE.matches) {
+      return name === chosen;
+    }
     return hits ? hits === "yes" : wasTested;
   };
   const show = () => {
     for (const button of buttons) {
       const panel = document.getElementById(button.dataset.panel);
       const open = !bare && isOpen(panel.id);
-      if (!open && panel.contains(document.activeElement)) canvas.focus({ preventScroll: true });
+      if (!open && panel.contains(document.activeElement)) {
+        canvas.focus({ preventScroll: true });
+      }
       button.setAttribute("aria-expanded", String(open));
-      if (panel.hidden === !open) continue;
+      if (panel.hidden === !open) {
+        continue;
+      }
       panel.hidden = !open;
-      if (open) panel.dispatchEvent(new Event("shown"));
+      if (open) {
+        panel.dispatchEvent(new Event("shown"));
+      }
     }
     const shown = (name) => !document.getElementById(name).hidden;
     const left = WIDE.matches && shown("hits");
     document.body.classList.toggle("panel-left", left);
-    document.body.classList.toggle("panel-right", buttons.some((button) => shown(button.dataset.panel) && !(left && button.dataset.panel === "hits")));
+    document.body.classList.toggle(
+      "panel-right",
+      buttons.some((button) => shown(button.dataset.panel) && !(left && button.dataset.panel === "hits")),
+    );
   };
   const choose = (name) => {
     if (name === "hits" && WIDE.matches) {
@@ -42,7 +53,9 @@ export function joinPanels({ canvas, program, bare, task }) {
     }
     show();
   };
-  for (const button of buttons) button.onclick = () => choose(button.dataset.panel);
+  for (const button of buttons) {
+    button.onclick = () => choose(button.dataset.panel);
+  }
   WIDE.addEventListener("change", show);
 
   // Who opens a task wants to read it, and who tests something wants to see what is hit.
@@ -51,10 +64,14 @@ export function joinPanels({ canvas, program, bare, task }) {
     const id = state.task ?? state.figure;
     const opened = id !== shownTask && shownTask !== undefined && id !== null;
     const tested = state.probe !== "none" || (wasTested && !opened);
-    if (!opened && tested === wasTested && shownTask !== undefined) return;
+    if (!opened && tested === wasTested && shownTask !== undefined) {
+      return;
+    }
     shownTask = id;
     wasTested = tested;
-    if (opened) chosen = "tasks";
+    if (opened) {
+      chosen = "tasks";
+    }
     show();
   });
   show();

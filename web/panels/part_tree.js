@@ -7,9 +7,13 @@ function readTree(text) {
   const top = { children: [] };
   const path = [top];
   for (const [token] of text.matchAll(/\w+|[()]/g)) {
-    if (token === "(") path.push(path.at(-1).children.at(-1));
-    else if (token === ")") path.pop();
-    else path.at(-1).children.push({ name: token, children: [] });
+    if (token === "(") {
+      path.push(path.at(-1).children.at(-1));
+    } else if (token === ")") {
+      path.pop();
+    } else {
+      path.at(-1).children.push({ name: token, children: [] });
+    }
   }
   return top.children[0];
 }
@@ -20,8 +24,11 @@ function joined(children) {
   for (const child of children) {
     const [, stem, number] = /^(.*)_(\d+)$/.exec(child.name) ?? [];
     const last = rows.at(-1);
-    if (stem && last?.stem === stem) last.to = number;
-    else rows.push({ ...child, stem, from: number });
+    if (stem && last?.stem === stem) {
+      last.to = number;
+    } else {
+      rows.push({ ...child, stem, from: number });
+    }
   }
   return rows.map(({ name, stem, from, to, children }) => ({
     part: name,
@@ -67,16 +74,22 @@ export class PartTree {
     press.title = `Show the axis of the ${title}`;
     const item = element("li", "", press);
     this.#rows.push({ part, title, item, press, parents });
-    if (children.length > 0) item.append(this.#list(children, [...parents, part], axes, act));
+    if (children.length > 0) {
+      item.append(this.#list(children, [...parents, part], axes, act));
+    }
     return item;
   }
 
   /** Shows which joints move and whose axis is drawn. */
   show({ moving, axis }) {
     this.#axis = axis;
-    for (const { part, press } of this.#rows) press.setAttribute("aria-pressed", String(isAxisOf(part)(axis)));
+    for (const { part, press } of this.#rows) {
+      press.setAttribute("aria-pressed", String(isAxisOf(part)(axis)));
+    }
     const now = moving.join();
-    if (now === this.#moving) return;
+    if (now === this.#moving) {
+      return;
+    }
     this.#moving = now;
     const moves = ({ part }) => moving.includes(part);
     const isCarried = (row) => !moves(row) && row.parents.some((parent) => moving.includes(parent));
@@ -86,6 +99,7 @@ export class PartTree {
     }
     const titles = (test) => this.#rows.filter(test).map(({ title }) => title);
     const carried = titles(isCarried);
-    this.said.textContent = now && `Moving: ${listed(titles(moves))}${carried.length > 0 ? `; carried along: ${listed(carried)}` : ""}.`;
+    this.said.textContent =
+      now && `Moving: ${listed(titles(moves))}${carried.length > 0 ? `; carried along: ${listed(carried)}` : ""}.`;
   }
 }

@@ -24,7 +24,13 @@ export class TaskEntry {
     this.verdict = verdictPlace();
     this.found = element("ul", "found");
     const commands = task.commands.map((name) => parts.commands.get(name)).filter(Boolean);
-    this.card = element("div", "card", element("p", "", task.text), element("div", "rows", ...commandRows(commands, parts)), this.live.list);
+    this.card = element(
+      "div",
+      "card",
+      element("p", "", task.text),
+      element("div", "rows", ...commandRows(commands, parts)),
+      this.live.list,
+    );
     const again = element("a", "button", "Start over");
     again.href = this.head.href;
     const buttons = element("div", "buttons", again);
@@ -57,8 +63,11 @@ export class TaskEntry {
 
   /** Opens or closes the entry; it does not change the state. */
   setCurrent(current) {
-    if (current) this.head.setAttribute("aria-current", "true");
-    else this.head.removeAttribute("aria-current");
+    if (current) {
+      this.head.setAttribute("aria-current", "true");
+    } else {
+      this.head.removeAttribute("aria-current");
+    }
     this.box.classList.toggle("current", current);
   }
 
@@ -75,7 +84,9 @@ export class TaskEntry {
     try {
       const result = await this.program.check(this.task.id);
       this.show(result);
-      if (result.passed === null) showVerdict(this.verdict, null, "has no check");
+      if (result.passed === null) {
+        showVerdict(this.verdict, null, "has no check");
+      }
     } catch (error) {
       this.show({ passed: null });
       notify(error.message, { topic: "command" });

@@ -15,13 +15,21 @@ export function showTasks({ program, layout, act }) {
   const entries = program.tasks().map((task) => new TaskEntry(task, parts, () => update()));
   const figures = program.figures().map((figure) => new TaskEntry(figure, parts));
   const { box, update: updateOverview } = overview(entries, () => update());
-  const folded = foldedGroup("Figures of the handout", "figures", figures.map((entry) => entry.box));
+  const folded = foldedGroup(
+    "Figures of the handout",
+    "figures",
+    figures.map((entry) => entry.box),
+  );
   panel.append(box, ...entries.map((entry) => entry.box), folded);
 
   let current = null;
   function update() {
     const said = updateOverview(current?.task.id ?? null);
-    document.title = [said, current && `${current.isFigure ? "Figure " : ""}${current.task.id} ${current.task.title}`, TITLE]
+    document.title = [
+      said,
+      current && `${current.isFigure ? "Figure " : ""}${current.task.id} ${current.task.title}`,
+      TITLE,
+    ]
       .filter(Boolean)
       .join(" · ");
   }
@@ -29,18 +37,28 @@ export function showTasks({ program, layout, act }) {
     current?.setCurrent(false);
     current = entry;
     current?.setCurrent(true);
-    if (current?.isFigure) folded.open = true;
+    if (current?.isFigure) {
+      folded.open = true;
+    }
     update();
   }
   const reveal = () => panel.hidden || current?.box.scrollIntoView({ block: "nearest" });
   const follow = (state) => {
-    if (!state) return;
+    if (!state) {
+      return;
+    }
     const all = state.figure ? figures : entries;
     const entry = all.find(({ task }) => task.id === (state.task ?? state.figure)) ?? null;
     const isNew = entry !== current;
-    if (isNew) open(entry);
-    if (!panel.hidden) current?.showEvidence(state);
-    if (isNew) reveal();
+    if (isNew) {
+      open(entry);
+    }
+    if (!panel.hidden) {
+      current?.showEvidence(state);
+    }
+    if (isNew) {
+      reveal();
+    }
   };
   update();
   program.listen(follow, PAUSE_MS);

@@ -10,20 +10,30 @@ function finder(panel, rows) {
   const search = element("input", "search");
   Object.assign(search, { type: "search", placeholder: "Find a value", spellcheck: false });
   search.setAttribute("aria-label", "Find a value");
-  let unfolded = []; // groups that were folded before something was looked for
+  const unfolded = []; // groups that were folded before something was looked for
   search.oninput = () => {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
-    for (const { text, row } of rows) row.hidden = !words.every((word) => text.includes(word));
-    if (words.length === 0) for (const group of unfolded.splice(0)) group.open = false;
+    for (const { text, row } of rows) {
+      row.hidden = !words.every((word) => text.includes(word));
+    }
+    if (words.length === 0) {
+      for (const group of unfolded.splice(0)) {
+        group.open = false;
+      }
+    }
     for (const group of panel.querySelectorAll(".group")) {
       group.hidden = !group.querySelector(".value:not([hidden])");
-      if (words.length === 0 || group.open) continue;
+      if (words.length === 0 || group.open) {
+        continue;
+      }
       unfolded.push(group);
       group.open = true;
     }
   };
   search.onkeydown = (event) => {
-    if (event.key !== "Escape" || !search.value) return;
+    if (event.key !== "Escape" || !search.value) {
+      return;
+    }
     event.preventDefault();
     search.value = "";
     search.oninput();
@@ -43,7 +53,10 @@ export function showValues({ program, act }) {
     shows.set(field.name, show);
     const row = element("div", "value", ...elements);
     row.dataset.field = field.name;
-    rows.push({ row, text: `${field.title} ${field.name} ${field.group} ${field.choices?.join(" ") ?? ""}`.toLowerCase() });
+    rows.push({
+      row,
+      text: `${field.title} ${field.name} ${field.group} ${field.choices?.join(" ") ?? ""}`.toLowerCase(),
+    });
     return row;
   };
   const groups = [];
@@ -61,16 +74,22 @@ export function showValues({ program, act }) {
 
   const shown = {};
   const update = (state) => {
-    if (panel.hidden || !state) return;
+    if (panel.hidden || !state) {
+      return;
+    }
     for (const [name, show] of shows) {
-      if (state[name] === shown[name]) continue;
+      if (state[name] === shown[name]) {
+        continue;
+      }
       shown[name] = state[name];
       show(state[name]);
     }
     for (const { group, heading, title } of groups) {
       const changed = group.filter((field) => state[field.name] !== defaultOf(field)).length;
       const text = changed ? `${title} · ${changed} changed` : title;
-      if (heading.textContent !== text) heading.textContent = text;
+      if (heading.textContent !== text) {
+        heading.textContent = text;
+      }
     }
   };
   program.listen(update, PAUSE_MS);

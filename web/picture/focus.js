@@ -12,7 +12,9 @@ export function followFocus(canvas) {
     canvas.classList.toggle("ring", focused && byTab);
   };
   document.addEventListener("keydown", (event) => {
-    if (event.key === "Escape" && !event.defaultPrevented && document.body.classList.contains("ready")) canvas.focus({ preventScroll: true });
+    if (event.key === "Escape" && !event.defaultPrevented && document.body.classList.contains("ready")) {
+      canvas.focus({ preventScroll: true });
+    }
   });
   canvas.addEventListener("focus", follow);
   canvas.addEventListener("blur", follow);
@@ -22,6 +24,8 @@ export function followFocus(canvas) {
   // typed into takes it, and whoever comes to a button by Tab stays there.
   document.addEventListener("mousedown", (event) => {
     const target = event.target.closest("button, summary, a");
-    if (target && document.activeElement === canvas) event.preventDefault();
+    if (target && document.activeElement === canvas) {
+      event.preventDefault();
+    }
   });
 }

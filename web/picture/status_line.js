@@ -10,10 +10,16 @@ export function followStatus(program) {
     const parts = [`${state.detail === "both" ? "Both models" : `${state.level === "low" ? "Low" : "High"} model`}`];
     // The evidence of a task may say something else of triangles, in words.
     const triangles = state.evidence.find(({ label, value }) => label === "Triangles" && /^\d+$/.test(value));
-    if (triangles) parts.push(counted(Number(triangles.value), "triangle"));
+    if (triangles) {
+      parts.push(counted(Number(triangles.value), "triangle"));
+    }
     parts.push(counted(program.drawCalls(), "draw call"));
-    if (state.sparks > 0) parts.push(counted(state.sparks, "spark"));
-    if (state.shot) parts.push("projectile in flight");
+    if (state.sparks > 0) {
+      parts.push(counted(state.sparks, "spark"));
+    }
+    if (state.shot) {
+      parts.push("projectile in flight");
+    }
     line.textContent = parts.join(" · ");
   };
   // The picture of a state is drawn after it was told.

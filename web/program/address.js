@@ -12,7 +12,9 @@ export function addressOf(program) {
 /** Opens a fragment and tells what is wrong with it. */
 function open(program, fragment) {
   dismiss("link");
-  for (const sentence of program.openLink(fragment)) notify(sentence, { topic: "link" });
+  for (const sentence of program.openLink(fragment)) {
+    notify(sentence, { topic: "link" });
+  }
 }
 
 /** Keeps the address's fragment and the state the same, without new entries in the history. */
@@ -25,8 +27,12 @@ export function followAddress(program) {
   };
   const write = () => {
     stop();
-    if (location.hash !== known) return; // somebody changed it: hashchange is on its way
-    if (!program.newest || location.hash === (program.newest.link && `#${program.newest.link}`)) return;
+    if (location.hash !== known) {
+      return; // somebody changed it: hashchange is on its way
+    }
+    if (!program.newest || location.hash === (program.newest.link && `#${program.newest.link}`)) {
+      return;
+    }
     try {
       history.replaceState(history.state, "", addressOf(program));
       known = location.hash;
@@ -35,7 +41,9 @@ export function followAddress(program) {
     }
   };
   program.listen(() => {
-    if (!timer) timer = setTimeout(write, PAUSE_MS);
+    if (!timer) {
+      timer = setTimeout(write, PAUSE_MS);
+    }
   });
   addEventListener("pagehide", write);
   const openAddress = () => {
@@ -47,6 +55,8 @@ export function followAddress(program) {
   // A link to where the address is already changes nothing there, but the state may have moved since.
   document.addEventListener("click", (event) => {
     const link = event.target.closest?.("a[href^='#']");
-    if (link && link.hash === location.hash) openAddress();
+    if (link && link.hash === location.hash) {
+      openAddress();
+    }
   });
 }

@@ -21,7 +21,9 @@ function detailsOf(error, printed) {
     printed: what the program said before. */
 export function showFailure(error, printed = []) {
   const box = document.getElementById("failure");
-  if (!box.hidden) return;
+  if (!box.hidden) {
+    return;
+  }
   const part = (selector) => box.querySelector(selector);
   const known = error instanceof LoadFailure;
   part("h2").textContent = known ? error.title : "The program stopped";
@@ -41,7 +43,9 @@ export function showFailure(error, printed = []) {
   };
 
   document.getElementById("loading").hidden = true;
-  for (const other of document.querySelectorAll("body > :not(#failure)")) other.inert = true;
+  for (const other of document.querySelectorAll("body > :not(#failure)")) {
+    other.inert = true;
+  }
   box.hidden = false;
   part("#reload").focus();
 }

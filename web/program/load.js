@@ -36,7 +36,9 @@ async function fetchFile({ name, url }, arrived) {
   } catch {
     throw missing(name, "the server cannot be reached");
   }
-  if (!response.ok) throw missing(name, `the server answered “${`${response.status} ${response.statusText}`.trim()}”`);
+  if (!response.ok) {
+    throw missing(name, `the server answered “${`${response.status} ${response.statusText}`.trim()}”`);
+  }
   const parts = [];
   try {
     const reader = response.body.getReader();

@@ -12,7 +12,9 @@ const isFromModule = (error) => error instanceof WebAssembly.RuntimeError || /wa
 
 /** Throws a sentence of the program as an error; the empty one is none. */
 function refuse(sentence) {
-  if (sentence) throw new Error(sentence);
+  if (sentence) {
+    throw new Error(sentence);
+  }
 }
 
 export class Program {
@@ -44,7 +46,9 @@ export class Program {
         "Reload the page. If that does not help, use a current Firefox, Chrome, Edge or Safari.",
       );
     }
-    for (const file of files) this.#add(file);
+    for (const file of files) {
+      this.#add(file);
+    }
     canvas.addEventListener("webglcontextlost", () =>
       notify(
         "The browser took the graphics away. The picture comes back by itself; if it does not, reload the page, whose address keeps what you see.",
@@ -70,7 +74,9 @@ export class Program {
   listen(listener, every = 0) {
     const heard = every ? throttled(listener, every) : listener;
     this.#listeners.push(heard);
-    if (this.newest) heard(this.newest);
+    if (this.newest) {
+      heard(this.newest);
+    }
   }
 
   state = () => JSON.parse(this.#call("state"));
@@ -89,7 +95,9 @@ export class Program {
       tank stays as it was, and sentences about the new one. */
   bringTank(files) {
     try {
-      for (const file of files) this.#add(file);
+      for (const file of files) {
+        this.#add(file);
+      }
     } catch (error) {
       this.#call("forget_files");
       return { error: error.message, notes: [] };
@@ -103,7 +111,9 @@ export class Program {
   /** Runs the check of a task. Returns the task with `passed` and `evidence`; of a figure passed is null. */
   check = async (id) => {
     const task = JSON.parse(this.#call("check", String(id)));
-    if (!task) throw new Error(`There is no task or figure '${id}'.`);
+    if (!task) {
+      throw new Error(`There is no task or figure '${id}'.`);
+    }
     return task;
   };
 
@@ -118,13 +128,19 @@ export class Program {
   }
 
   #call(name, ...values) {
-    if (this.#stopped) throw new Error("The program has stopped; reload the page.");
-    if (!this.#module) throw new Error("The program is still being loaded; wait for tanklab.ready.");
+    if (this.#stopped) {
+      throw new Error("The program has stopped; reload the page.");
+    }
+    if (!this.#module) {
+      throw new Error("The program is still being loaded; wait for tanklab.ready.");
+    }
     const types = values.map((value) => (typeof value === "number" ? "number" : "string"));
     try {
       return this.#module.ccall(`tanklab_${name}`, RETURNS[name] ?? "string", types, values);
     } catch (error) {
-      if (isFromModule(error)) this.#stop(error);
+      if (isFromModule(error)) {
+        this.#stop(error);
+      }
       throw error;
     }
   }
@@ -147,16 +163,22 @@ export class Program {
   #keep(line, level) {
     console[level](line);
     this.#printed.push(line);
-    if (this.#printed.length > LINES_KEPT) this.#printed.shift();
+    if (this.#printed.length > LINES_KEPT) {
+      this.#printed.shift();
+    }
   }
 
   #tell(state) {
     this.newest = state;
-    for (const listener of this.#listeners) listener(state);
+    for (const listener of this.#listeners) {
+      listener(state);
+    }
   }
 
   #stop(error) {
-    if (this.#stopped) return;
+    if (this.#stopped) {
+      return;
+    }
     this.#stopped = true;
     showFailure(error, this.#printed);
   }

@@ -20,10 +20,16 @@ export function joinShareButton(program) {
     field.setAttribute("aria-label", "The address of what is shown");
     if (!(await copyText(address))) {
       notify("The browser does not let this page copy. Copy the address from here:", { topic: "share", field });
-      if (!(await copyText(address, field))) return;
+      if (!(await copyText(address, field))) {
+        return;
+      }
       dismiss("share");
     }
-    if (program.newest.tank === "own") notify("The link shows a tank of your own files, and they are not in it: whoever opens it is asked for them.", { topic: "share" });
+    if (program.newest.tank === "own") {
+      notify("The link shows a tank of your own files, and they are not in it: whoever opens it is asked for them.", {
+        topic: "share",
+      });
+    }
     button.textContent = "Copied";
     button.classList.add("done");
     clearTimeout(timer);

@@ -77,9 +77,10 @@ const asJson = (value) => JSON.stringify(value).replaceAll("<", "\\u003c");
 async function bundle(file, inside) {
   const outdir = path.resolve(given.out);
   const result = await esbuild.build({
-    entryPoints: [local(file)],
+    absWorkingDir: path.resolve(given.web), // so that names with a hash are the same wherever this is built
+    entryPoints: [file],
     outdir,
-    outbase: given.web,
+    outbase: ".",
     bundle: true,
     splitting: !inside && file.endsWith(".js"),
     chunkNames: "later/[name]-[hash]",

@@ -146,6 +146,7 @@ test("what is imported only when it is needed is a file of its own, and found fr
     assert.match(read(later), SELDOM);
     fs.renameSync(path.join(root, "site"), path.join(root, "else where"));
     assert.equal(runModule('await import("./else where/main.js?v=1");', root), "first\nseldom </script>\n");
+    assemble(SPLIT, (again) => assert.ok(again.files.includes(later), "its name is the same wherever it is made"));
     assemble({ ...SPLIT, "web/other.js": 'export const text = "changed";\n' }, (other) => {
       assert.ok(!other.files.includes(later), "its name changes with its content");
       assert.notEqual(other.read("main.js"), fs.readFileSync(path.join(root, "else where/main.js"), "utf8"));

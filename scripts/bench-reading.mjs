@@ -19,7 +19,12 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 export async function measureReading(say) {
   say("reading OBJ files: Chromium");
   const bundled = path.join(PAGE, "reading.bundle.js");
-  await esbuild.build({ entryPoints: [path.join(ROOT, "tests/bench/page/reading.js")], bundle: true, outfile: bundled, logLevel: "warning" });
+  await esbuild.build({
+    entryPoints: [path.join(ROOT, "tests/bench/page/reading.js")],
+    bundle: true,
+    outfile: bundled,
+    logLevel: "warning",
+  });
   const files = fs.readdirSync(OBJECTS).filter((name) => name.endsWith(".obj"));
   const texts = files.map((name) => [name, fs.readFileSync(path.join(OBJECTS, name), "utf8")]);
   const server = await serve(PAGE, { isolated: true });

@@ -81,14 +81,21 @@ const HOSTS = [
 
 /** Returns the tree's files that are committed or about to be, relative to the root; without git, all. */
 export function sourceFiles(root) {
-  const git = spawnSync("git", ["-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"], { encoding: "utf8" });
+  const git = spawnSync("git", ["-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"], {
+    encoding: "utf8",
+  });
   if (git.status === 0) {
-    return git.stdout.split("\0").filter((file) => file && fs.existsSync(path.join(root, file))).sort();
+    return git.stdout
+      .split("\0")
+      .filter((file) => file && fs.existsSync(path.join(root, file)))
+      .sort();
   }
   const below = (folder) =>
     fs.readdirSync(path.join(root, folder), { withFileTypes: true }).flatMap((entry) => {
       const file = path.posix.join(folder, entry.name);
-      if (entry.isDirectory()) return [".git", "build", "node_modules"].includes(entry.name) ? [] : below(file);
+      if (entry.isDirectory()) {
+        return [".git", "build", "node_modules"].includes(entry.name) ? [] : below(file);
+      }
       return entry.isFile() ? [file] : [];
     });
   return below(".").sort();
@@ -112,9 +119,13 @@ function floorOf(floors, file) {
 
 function violationsOfFloors(file, folder, target) {
   const { floors } = LAYERS[folder];
-  if (!floors) return [];
+  if (!floors) {
+    return [];
+  }
   const [room, other] = [file.slice("src/".length), target].map((name) => path.posix.dirname(name));
-  if (room === other || floorOf(floors, target) < floorOf(floors, file.slice("src/".length))) return [];
+  if (room === other || floorOf(floors, target) < floorOf(floors, file.slice("src/".length))) {
+    return [];
+  }
   return [`${room}/ may not include ${other}/ ("${target}")`];
 }
 
@@ -123,15 +134,23 @@ function violationsOfInclude(file, folder, include) {
   const rule = LAYERS[folder];
   if (quote === '"') {
     const other = target.split("/")[0];
-    if (!target.includes("/") || !(other in LAYERS)) return [`"${target}" is not rooted at src/`];
-    if (other === folder) return violationsOfFloors(file, folder, target);
-    if (rule.folders.includes(other)) return [];
+    if (!target.includes("/") || !(other in LAYERS)) {
+      return [`"${target}" is not rooted at src/`];
+    }
+    if (other === folder) {
+      return violationsOfFloors(file, folder, target);
+    }
+    if (rule.folders.includes(other)) {
+      return [];
+    }
     return [`${folder}/ may not include ${other}/ ("${target}")`];
   }
   if (ES_HEADER.test(target)) {
     return MAY_INCLUDE_ES.test(file) ? [] : [`<${target}>: only src/legacygl/backend/es3_* includes OpenGL ES`];
   }
-  if (STANDARD_OR_GLM.test(target) || rule.headers?.test(target)) return [];
+  if (STANDARD_OR_GLM.test(target) || rule.headers?.test(target)) {
+    return [];
+  }
   return [`${folder}/ may not include <${target}>`];
 }
 
@@ -153,11 +172,17 @@ export function checkLayers(root) {
     lines.forEach((content, index) => {
       const found = [];
       const include = /^\s*#\s*include\s*(["<])([^">]+)[">]/.exec(content);
-      if (include) found.push(...violationsOfInclude(file, folder, include));
-      if (!MAY_CALL_GL.test(file)) {
-        for (const [, name] of content.matchAll(GL_CALL)) found.push(`only scene/ and legacygl/ call OpenGL (${name})`);
+      if (include) {
+        found.push(...violationsOfInclude(file, folder, include));
       }
-      for (const text of found) violations.push({ file, line: index + 1, text });
+      if (!MAY_CALL_GL.test(file)) {
+        for (const [, name] of content.matchAll(GL_CALL)) {
+          found.push(`only scene/ and legacygl/ call OpenGL (${name})`);
+        }
+      }
+      for (const text of found) {
+        violations.push({ file, line: index + 1, text });
+      }
     });
   }
   return violations;
@@ -168,11 +193,17 @@ export function checkHosts(root) {
   const violations = [];
   for (const file of sourceFiles(root)) {
     const full = path.join(root, file);
-    if (!fs.statSync(full).isFile() || fs.statSync(full).size > 4e6) continue;
+    if (!fs.statSync(full).isFile() || fs.statSync(full).size > 4e6) {
+      continue;
+    }
     const text = fs.readFileSync(full, "latin1").toLowerCase();
     for (const host of HOSTS) {
       for (let at = text.indexOf(host); at >= 0; at = text.indexOf(host, at + 1)) {
-        violations.push({ file, line: text.slice(0, at).split("\n").length, text: `names a registry's host (${host})` });
+        violations.push({
+          file,
+          line: text.slice(0, at).split("\n").length,
+          text: `names a registry's host (${host})`,
+        });
       }
     }
   }
@@ -184,7 +215,9 @@ export function checkHosts(root) {
     Its API is used and not its program, which does not see files below /tmp. */
 export async function checkFormat(root, write = false) {
   const files = sourceFiles(root).filter((file) => CODE.test(file));
-  if (files.length === 0) return [];
+  if (files.length === 0) {
+    return [];
+  }
   const { format } = await import("@wasm-fmt/clang-format").catch((error) => {
     throw new Error(`clang-format does not start (${error.message}); scripts/setup web installs it`);
   });
@@ -194,7 +227,9 @@ export async function checkFormat(root, write = false) {
     const full = path.join(root, file);
     const text = fs.readFileSync(full, "utf8");
     const formatted = format(text, file, style);
-    if (formatted === text) continue;
+    if (formatted === text) {
+      continue;
+    }
     if (write) {
       fs.writeFileSync(full, formatted);
       continue;
@@ -210,14 +245,18 @@ const CHECKS = { layers: checkLayers, format: checkFormat, hosts: checkHosts };
 
 if (process.argv[1] && fs.realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
   const write = process.argv.includes("--write");
-  const [name, root = fileURLToPath(new URL("../..", import.meta.url))] = process.argv.slice(2).filter((given) => given !== "--write");
+  const [name, root = fileURLToPath(new URL("../..", import.meta.url))] = process.argv
+    .slice(2)
+    .filter((given) => given !== "--write");
   if (!(name in CHECKS)) {
     console.error(`checks: there is no check '${name}': ${Object.keys(CHECKS).join(", ")}`);
     process.exit(2);
   }
   try {
     const violations = await CHECKS[name](root, write);
-    for (const { file, line, text } of violations) console.log(`${file}:${line}: ${text}`);
+    for (const { file, line, text } of violations) {
+      console.log(`${file}:${line}: ${text}`);
+    }
     console.log(violations.length === 0 ? `${name}: nothing to object` : `${name}: ${violations.length} violations`);
     process.exitCode = violations.length === 0 ? 0 : 1;
   } catch (error) {

@@ -1,6 +1,6 @@
 # The scenes as one page, in ${CMAKE_CURRENT_BINARY_DIR}/page; tests/page/oracle.test.mjs opens it.
 set(site ${CMAKE_CURRENT_BINARY_DIR}/page)
-add_executable(oracle_page page_main.cpp drawing.cpp scene.cpp ${scene_sources} ${platform}/asset_files.cpp)
+add_executable(oracle_page page_main.cpp drawing.cpp scene.cpp ${scene_sources} ${PROJECT_SOURCE_DIR}/src/platform/files/asset_files.cpp)
 target_include_directories(oracle_page PRIVATE . ${PROJECT_SOURCE_DIR}/src)
 target_link_libraries(oracle_page PRIVATE legacygl scene)
 file(GLOB_RECURSE asset_files CONFIGURE_DEPENDS ${assets}/*)

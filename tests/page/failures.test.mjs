@@ -16,7 +16,12 @@ const answering = (file, answer) => async (page) => {
 async function failure(options) {
   return withPage("chromium", options, async ({ page }) => {
     await page.waitForSelector("#failure:not([hidden])");
-    const rejected = await page.evaluate(() => tanklab.ready.then(() => "", (error) => error.message));
+    const rejected = await page.evaluate(() =>
+      tanklab.ready.then(
+        () => "",
+        (error) => error.message,
+      ),
+    );
     const said = await page.evaluate(() => document.getElementById("failure").innerText);
     assert.ok(rejected && said.includes(rejected), `tanklab.ready says it, too: ${rejected}`);
     return said;
@@ -36,7 +41,9 @@ test("a malformed model is named with its line", async () => {
 });
 
 test("a damaged picture is named", async () => {
-  const said = await failure({ before: answering("texture.jpg", { status: 200, body: "no picture", contentType: "image/jpeg" }) });
+  const said = await failure({
+    before: answering("texture.jpg", { status: 200, body: "no picture", contentType: "image/jpeg" }),
+  });
   assert.match(said, /texture\.jpg/);
 });
 
@@ -56,7 +63,8 @@ test("after a lost context the picture comes back by itself", async () => {
     const before = await pixels(page, "#canvas");
     await page.evaluate(async () => {
       const extension = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
-      const event = (name) => new Promise((done) => document.getElementById("canvas").addEventListener(name, done, { once: true }));
+      const event = (name) =>
+        new Promise((done) => document.getElementById("canvas").addEventListener(name, done, { once: true }));
       const lost = event("webglcontextlost");
       extension.loseContext();
       await lost;

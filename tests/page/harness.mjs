@@ -65,7 +65,9 @@ const FIREFOX_PREFERENCES = {
 function executable(fromEnvironment, names) {
   for (const name of [fromEnvironment, ...names].filter(Boolean)) {
     const found = spawnSync("sh", ["-c", 'command -v "$1"', "sh", name], { encoding: "utf8" }).stdout.trim();
-    if (found) return found;
+    if (found) {
+      return found;
+    }
   }
   throw new Error(`none of these browsers is there: ${names.join(", ")}; scripts/setup test installs one`);
 }
@@ -78,8 +80,11 @@ const OLDEST = { chromium: 112, firefox: 129 };
 export function checkVersion(kind, program) {
   const told = spawnSync(program, ["--version"], { encoding: "utf8" }).stdout?.trim() ?? "";
   const major = Number(/(\d+)\.\d/.exec(told)?.[1]);
-  if (major < OLDEST[kind])
-    throw new Error(`${told} (${program}) is too old: the tests drive ${kind} ${OLDEST[kind]} and newer; name one in CHROME or FIREFOX`);
+  if (major < OLDEST[kind]) {
+    throw new Error(
+      `${told} (${program}) is too old: the tests drive ${kind} ${OLDEST[kind]} and newer; name one in CHROME or FIREFOX`,
+    );
+  }
   return told;
 }
 
@@ -87,9 +92,17 @@ export function checkVersion(kind, program) {
 async function start(kind, program, options) {
   const told = checkVersion(kind, program);
   try {
-    return await puppeteer.launch({ executablePath: program, defaultViewport: VIEWPORT, timeout: LAUNCH_TIMEOUT, ...options });
+    return await puppeteer.launch({
+      executablePath: program,
+      defaultViewport: VIEWPORT,
+      timeout: LAUNCH_TIMEOUT,
+      ...options,
+    });
   } catch (error) {
-    throw new Error(`${told} (${program}) does not start for puppeteer-core; one that is newer may want a newer puppeteer-core: ${error.message}`, { cause: error });
+    throw new Error(
+      `${told} (${program}) does not start for puppeteer-core; one that is newer may want a newer puppeteer-core: ${error.message}`,
+      { cause: error },
+    );
   }
 }
 
@@ -109,8 +122,16 @@ async function startDisplay() {
 export async function launch(name, { flags = [] } = {}) {
   if (name !== "firefox") {
     assert.ok(name in CHROMIUM_RENDERER, `no browser is called ${name}`);
-    const program = executable(process.env.CHROME, ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]);
-    return start("chromium", program, { headless: true, args: [...CHROMIUM_FLAGS, ...CHROMIUM_RENDERER[name], ...flags] });
+    const program = executable(process.env.CHROME, [
+      "chromium",
+      "chromium-browser",
+      "google-chrome",
+      "google-chrome-stable",
+    ]);
+    return start("chromium", program, {
+      headless: true,
+      args: [...CHROMIUM_FLAGS, ...CHROMIUM_RENDERER[name], ...flags],
+    });
   }
   const display = await startDisplay();
   // Firefox wants a home of its own: as root it refuses one that belongs to somebody else.
@@ -136,7 +157,9 @@ export async function launch(name, { flags = [] } = {}) {
 
 const running = new Map(); // what launch() gives, by the browser's name; a test file has each once
 after(async () => {
-  for (const browser of running.values()) await (await browser).close();
+  for (const browser of running.values()) {
+    await (await browser).close();
+  }
 });
 
 /** Opens a session with nothing remembered from another one. Gives {browser, context, close()}. */
@@ -145,7 +168,9 @@ async function openSession(name, flags) {
     const browser = await launch(name, { flags });
     return { browser, context: browser.defaultBrowserContext(), close: () => browser.close() };
   }
-  if (!running.has(name)) running.set(name, launch(name));
+  if (!running.has(name)) {
+    running.set(name, launch(name));
+  }
   const browser = await running.get(name);
   const context = await browser.createBrowserContext();
   return { browser, context, close: () => context.close() };
@@ -163,20 +188,28 @@ export async function withPage(name, { path: rest = "", url, folder = SITE, view
   const { browser, context, close } = await openSession(name, flags);
   try {
     const page = await context.newPage();
-    if (viewport) await page.setViewport({ ...VIEWPORT, ...viewport });
+    if (viewport) {
+      await page.setViewport({ ...VIEWPORT, ...viewport });
+    }
     const problems = [];
     page.on("console", (message) => {
       const where = message.location()?.url;
-      if (message.type() === "error") problems.push(`console: ${message.text()}${where ? ` (${where})` : ""}`);
+      if (message.type() === "error") {
+        problems.push(`console: ${message.text()}${where ? ` (${where})` : ""}`);
+      }
     });
     page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
     page.on("requestfailed", (request) => {
       // Chromium calls a fetch aborted whose stream was read to its end before the connection said so.
       const reason = request.failure()?.errorText;
-      if (!/ABORTED/.test(reason)) problems.push(`request: ${request.url()} ${reason}`);
+      if (!/ABORTED/.test(reason)) {
+        problems.push(`request: ${request.url()} ${reason}`);
+      }
     });
     const address = url ?? server.url + rest;
-    if (before) await before(page, address);
+    if (before) {
+      await before(page, address);
+    }
     await page.goto(address);
     return await use({ page, browser, context, url: address, problems });
   } finally {
@@ -211,7 +244,9 @@ export function differentPixels(one, other, tolerance = 0) {
   let count = 0;
   for (let i = 0; i < one.data.length; i += 4) {
     const off = [0, 1, 2].some((channel) => Math.abs(one.data[i + channel] - other.data[i + channel]) > tolerance);
-    if (off) ++count;
+    if (off) {
+      ++count;
+    }
   }
   return count;
 }
@@ -225,7 +260,9 @@ export function pixelAt(picture, x, y) {
 export async function printRenderer(page, name) {
   const renderer = await page.evaluate(() => {
     const gl = document.createElement("canvas").getContext("webgl2");
-    if (!gl) return "no WebGL 2";
+    if (!gl) {
+      return "no WebGL 2";
+    }
     const extension = gl.getExtension("WEBGL_debug_renderer_info");
     const text = gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
     gl.getExtension("WEBGL_lose_context")?.loseContext();

@@ -38,7 +38,9 @@ async function get(requestPath, { method = "GET", headers = {} } = {}) {
   const request = http.request({ host: "127.0.0.1", port: server.port, path: requestPath, method, headers }).end();
   const [response] = await once(request, "response");
   const parts = [];
-  for await (const part of response) parts.push(part);
+  for await (const part of response) {
+    parts.push(part);
+  }
   return { status: response.statusCode, headers: response.headers, body: Buffer.concat(parts) };
 }
 
@@ -60,7 +62,10 @@ test("what compresses is gzipped for those who accept it, and only for them", as
   assert.equal(Number(zipped.headers["content-length"]), zipped.body.length);
   assert.ok(zipped.body.length < plain.body.length / 10);
   assert.equal(gunzipSync(zipped.body).toString(), TEXT);
-  assert.equal((await get("/a.png", { headers: { "Accept-Encoding": "gzip" } })).headers["content-encoding"], undefined);
+  assert.equal(
+    (await get("/a.png", { headers: { "Accept-Encoding": "gzip" } })).headers["content-encoding"],
+    undefined,
+  );
 });
 
 test("HEAD sends what GET would, without the body", async () => {
@@ -96,7 +101,9 @@ test("a taken port gives the next free one, and it says so; Ctrl-C ends it", asy
   const program = spawn(process.execPath, [SCRIPT, "--port", String(server.port), folder]);
   let output = "";
   program.stdout.on("data", (part) => (output += part));
-  while (!output.includes("Ctrl-C")) await once(program.stdout, "data");
+  while (!output.includes("Ctrl-C")) {
+    await once(program.stdout, "data");
+  }
   const [, port] = /is at http:\/\/127\.0\.0\.1:(\d+)\//.exec(output);
   assert.ok(Number(port) > server.port);
   assert.match(output, new RegExp(`Port ${server.port} is taken; using ${port}`));

@@ -1,17 +1,22 @@
 // What scripts/bench asks of this page: run(name, frames) and pictures().
 import { webglLists } from "./webgl_lists.js";
 
-const LISTS = 1000, LIST_FLOATS = 36 * 6;
+const LISTS = 1000,
+  LIST_FLOATS = 36 * 6;
 
 async function legacygl(id, which) {
   const module = await createLegacygl({ canvas: document.getElementById(id) });
-  if (!module.ccall("bench_open", "number", ["string", "number"], [`#${id}`, which])) throw new Error(`${id} cannot open`);
+  if (!module.ccall("bench_open", "number", ["string", "number"], [`#${id}`, which])) {
+    throw new Error(`${id} cannot open`);
+  }
   return { module, frame: module._bench_frame, gl: document.getElementById(id).getContext("webgl2") };
 }
 
 async function emulation(id) {
   const module = await createEmscripten({ canvas: document.getElementById(id) });
-  if (!module.ccall("bench_open", "number", ["string", "number"], [`#${id}`, 0])) throw new Error(`${id} cannot open`);
+  if (!module.ccall("bench_open", "number", ["string", "number"], [`#${id}`, 0])) {
+    throw new Error(`${id} cannot open`);
+  }
   return { frame: module._bench_frame, gl: document.getElementById(id).getContext("webgl") };
 }
 
@@ -22,11 +27,11 @@ function byHand(id, { module }) {
   return { frame: webglLists(gl, meshes, numbers(module._bench_list_matrices(), LISTS * 16)), gl };
 }
 
-const ready = window.programs = (async () => {
+const ready = (window.programs = (async () => {
   const immediate = await legacygl("immediate", 0);
   const lists = await legacygl("lists", 1);
   return { immediate, emulation: await emulation("emulation"), lists, by_hand: byHand("by_hand", lists) };
-})();
+})());
 
 function readBack({ gl }) {
   const pixels = new Uint8Array(256 * 256 * 4);
@@ -42,7 +47,9 @@ window.run = async (name, frames, draws) => {
   const { frame, gl } = (await ready)[name];
   const pixel = new Uint8Array(4);
   for (let i = 0; i < frames; ++i) {
-    if (draws) frame(++number);
+    if (draws) {
+      frame(++number);
+    }
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
   }
 };

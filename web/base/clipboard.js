@@ -1,0 +1,26 @@
+// Copying, also where the browser does not let a page use the clipboard.
+
+/** Copies a text. Where that is refused, selects `element`, which shows the text, to be copied by hand.
+    element: a field or any other element, or null. Returns whether the text is in the clipboard. */
+export async function copyText(text, element = null) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    // Not a secure address (a file, plain http), or not allowed.
+  }
+  if (!element) {
+    return false;
+  }
+  if (element.select) {
+    element.focus();
+    element.select();
+  } else {
+    getSelection().selectAllChildren(element);
+  }
+  try {
+    return document.execCommand("copy");
+  } catch {
+    return false;
+  }
+}

@@ -14,7 +14,10 @@ std::string in_quotes(std::string_view text)
         shown = text.substr(0, end);
     }
     std::string result = "\"";
-    result += shown;
+    for (const char c : shown) {
+        const unsigned char byte = static_cast<unsigned char>(c);
+        result += byte < ' ' || byte == 0x7f ? '?' : c;
+    }
     result += shown.size() < text.size() ? "...\"" : "\"";
     return result;
 }

@@ -7,7 +7,7 @@
 namespace base {
 
 /// Returns the text in quotation marks for a message: at most 40 bytes of it, cut between characters, then
-/// "...".
+/// "..."; with `?` for control characters, by which a link would rule a terminal.
 std::string in_quotes(std::string_view text);
 
 /// Returns "a", "a and b", "a, b and c"; "" for none.

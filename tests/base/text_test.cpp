@@ -19,6 +19,16 @@ TEST(TextTest, QuotingBytesThatAreNoCharactersEnds)
     EXPECT_EQ(in_quotes(std::string(100, '\x80')), "\"...\"");
 }
 
+TEST(TextTest, QuotingLetsNoControlCharacterThrough)
+{
+    EXPECT_EQ(in_quotes(std::string_view("a\0\x1b[2J\n\x7f", 8)), "\"a??[2J??\"");
+    EXPECT_EQ(in_quotes(std::string(50, '\n')), '"' + std::string(40, '?') + "...\"");
+    EXPECT_EQ(in_quotes("gr\xc3\xb6\xc3\x9f"
+                        "er"),
+              "\"gr\xc3\xb6\xc3\x9f"
+              "er\"");
+}
+
 TEST(TextTest, ListsReadLikeSentences)
 {
     const std::vector<std::string_view> three = {"a", "b", "c"};

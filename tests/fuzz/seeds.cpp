@@ -1,3 +1,6 @@
+#include "app/links/links.h"
+#include "app/links/tasks.h"
+#include "app/state/fields.h"
 #include "tests/mesh/sample_files.h"
 
 #include <cstdio>
@@ -5,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-// Writes the valid files that fuzzing starts from: mesh_seeds FOLDER makes FOLDER/obj and FOLDER/image.
+// Writes what fuzzing starts from: fuzz_seeds FOLDER makes FOLDER/obj, FOLDER/image and FOLDER/link.
 
 namespace {
 
@@ -16,15 +19,13 @@ void write(const std::filesystem::path& folder, int number, const Bytes& bytes)
         .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
 }
 
-} // namespace
-
-int main(int argument_count, char** arguments)
+void write_text(const std::filesystem::path& folder, int number, const std::string& text)
 {
-    if (argument_count != 2) {
-        std::fputs("usage: mesh_seeds FOLDER\n", stderr);
-        return 1;
-    }
-    const std::filesystem::path folder = arguments[1];
+    write(folder, number, Bytes(text.begin(), text.end()));
+}
+
+void write_objs(const std::filesystem::path& folder)
+{
     const std::string texts[] = {
         sample_obj(),
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
@@ -36,9 +37,12 @@ int main(int argument_count, char** arguments)
     };
     int number = 0;
     for (const std::string& text : texts) {
-        write(folder / "obj", number++, Bytes(text.begin(), text.end()));
+        write_text(folder, number++, text);
     }
+}
 
+void write_images(const std::filesystem::path& folder)
+{
     const Bytes palette = png_chunk("PLTE", {1, 2, 3, 40, 50, 60});
     Bytes with_alpha = palette;
     for (const std::uint8_t byte : png_chunk("tRNS", {128})) {
@@ -63,9 +67,47 @@ int main(int argument_count, char** arguments)
         {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 16, 0, 0xFF, 0x7F, 0x00, 0x7C},
         {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 8, 0, 0x81, 6},
     };
-    number = 0;
+    int number = 0;
     for (const Bytes& image : images) {
-        write(folder / "image", number++, image);
+        write(folder, number++, image);
     }
+}
+
+/// Every task and figure, each field at its ends, and what people and mailers make of links.
+void write_links(const std::filesystem::path& folder)
+{
+    int number = 0;
+    for (const app::Task& task : app::tasks()) {
+        write_text(folder, number++,
+                   std::string(app::link_key(task.kind)) + '=' + std::string(task.id) + '&' +
+                       std::string(task.link));
+    }
+    for (const app::Field& field : app::fields()) {
+        for (const std::int64_t end : {app::grid_minimum(field), app::grid_maximum(field)}) {
+            app::State state;
+            app::set_grid_value(field, state, end);
+            write_text(folder, number++, app::link(state));
+        }
+    }
+    for (const char* const text :
+         {"#turret=30&gun=-8.5&event=fire&tick=12&seed=7", "event=open;tick=3",
+          " Turret = +30.;&wheels=%2d8%2E5&x=1&x=2", "gun=up&turet=1&y=8,5&z=1e5&=&ground=maybe&%4",
+          "event=none&tick=999999&seed=0"}) {
+        write_text(folder, number++, text);
+    }
+}
+
+} // namespace
+
+int main(int argument_count, char** arguments)
+{
+    if (argument_count != 2) {
+        std::fputs("usage: fuzz_seeds FOLDER\n", stderr);
+        return 1;
+    }
+    const std::filesystem::path folder = arguments[1];
+    write_objs(folder / "obj");
+    write_images(folder / "image");
+    write_links(folder / "link");
     return 0;
 }

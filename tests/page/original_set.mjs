@@ -1,5 +1,5 @@
-// Files like the lab's own, made here: their names, bounding boxes, numbers of triangles and quirks (design.md,
-// section 9; tests/app/original_set.cpp holds the program to each quirk).
+// Files like the lab's own, made here: their names, bounding boxes, numbers of triangles and the quirks that
+// docs/architecture.md lists; tests/assets/users_tank_test.cpp holds the program to each of these.
 import { zipArchive } from "./zip_archive.mjs";
 
 const HIGH = {

@@ -19,12 +19,17 @@ const packed = new Set(seedArchives().flatMap(({ entries }) => Object.values(ent
 class Broken extends Error {}
 
 /** Returns where an error comes from, without the text of the module that it comes from. */
-const originOf = (error) => String(error?.stack ?? error).replace(/data:text\/javascript;base64,[^:)]*/g, "unpacker.js");
+const originOf = (error) =>
+  String(error?.stack ?? error).replace(/data:text\/javascript;base64,[^:)]*/g, "unpacker.js");
 
 function checkError(error) {
-  const own = error instanceof Error && error.code === undefined && !/^(Type|Range|Reference|Syntax|URI|Eval)Error$/.test(error.constructor.name);
+  const own =
+    error instanceof Error &&
+    error.code === undefined &&
+    !/^(Type|Range|Reference|Syntax|URI|Eval)Error$/.test(error.constructor.name);
   if (!own) throw new Broken(`an error that is not the unpacker's own: ${originOf(error)}`);
-  if (!/[.!?]$/.test(error.message) || !error.message.includes(NAME)) throw new Broken(`no sentence that names the archive: ${error.message}`);
+  if (!/[.!?]$/.test(error.message) || !error.message.includes(NAME))
+    throw new Broken(`no sentence that names the archive: ${error.message}`);
   if (error.message.length > LONGEST_SENTENCE) throw new Broken(`a sentence of ${error.message.length} characters`);
 }
 
@@ -46,7 +51,11 @@ export async function check(bytes) {
   };
   const result = {};
   try {
-    result.files = await unzip(new Blob([bytes]), { name: NAME, limitOf: (path) => (isWanted(path) ? LARGEST_FILE : 0), takeFromBudget });
+    result.files = await unzip(new Blob([bytes]), {
+      name: NAME,
+      limitOf: (path) => (isWanted(path) ? LARGEST_FILE : 0),
+      takeFromBudget,
+    });
   } catch (error) {
     checkError(error);
     result.sentence = error.message;
@@ -63,6 +72,9 @@ export async function checkWhole({ entries, bytes, mayBeRefused }) {
   if (!files && mayBeRefused) return;
   if (!files) throw new Broken(`a whole archive is refused: ${sentence}`);
   const given = files.map((file) => [file.name, textOf(file.bytes)]);
-  const expected = Object.entries(entries).filter(([path]) => isWanted(path)).map(([path, content]) => [`${NAME}/${path}`, textOf(content)]);
-  if (JSON.stringify(given) !== JSON.stringify(expected)) throw new Broken("a whole archive gives something else than it holds");
+  const expected = Object.entries(entries)
+    .filter(([path]) => isWanted(path))
+    .map(([path, content]) => [`${NAME}/${path}`, textOf(content)]);
+  if (JSON.stringify(given) !== JSON.stringify(expected))
+    throw new Broken("a whole archive gives something else than it holds");
 }

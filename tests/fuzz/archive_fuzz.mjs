@@ -14,7 +14,14 @@ import { Worker } from "node:worker_threads";
 const LARGEST_INPUT = 1 << 20;
 const HEAP = 512; // megabytes
 
-const options = { max_total_time: "Infinity", runs: "Infinity", seed: String(randomInt(2 ** 31)), timeout: "10", artifact_prefix: "./", print_final_stats: "1" };
+const options = {
+  max_total_time: "Infinity",
+  runs: "Infinity",
+  seed: String(randomInt(2 ** 31)),
+  timeout: "10",
+  artifact_prefix: "./",
+  print_final_stats: "1",
+};
 const paths = [];
 for (const argument of process.argv.slice(2)) {
   const [, name, value] = /^-(\w+)=(.*)$/s.exec(argument) ?? [];
@@ -35,7 +42,8 @@ async function unpackOnce(files) {
 }
 
 const nameOf = (bytes) => createHash("sha1").update(bytes).digest("hex");
-const filesOf = (folder) => fs.readdirSync(folder).map((name) => new Uint8Array(fs.readFileSync(path.join(folder, name))));
+const filesOf = (folder) =>
+  fs.readdirSync(folder).map((name) => new Uint8Array(fs.readFileSync(path.join(folder, name))));
 
 function fuzz(folders) {
   const progress = new Int32Array(new SharedArrayBuffer(8)); // inputs so far, and the length of the one at work

@@ -16,7 +16,12 @@ function begin(bytes) {
 
 /** Returns what tells outcomes apart: files, none of them, or what was said, without names and numbers. */
 function kindOf({ files, sentence }) {
-  return files ? `files: ${files.length > 0}` : sentence.replace(/^.*a\.zip/s, "").replace(/“.*”/s, "").replace(/\d+/g, "0");
+  return files
+    ? `files: ${files.length > 0}`
+    : sentence
+        .replace(/^.*a\.zip/s, "")
+        .replace(/“.*”/s, "")
+        .replace(/\d+/g, "0");
 }
 
 const seeds = seedArchives();

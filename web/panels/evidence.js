@@ -5,7 +5,7 @@ import { PartTree } from "./part_tree.js";
 const IS_TREE = /^\w+ \([\w (),]+\)$/;
 
 /** Makes a list of evidence. axes: the command that sets the axis that is drawn. act: does a command.
-    Returns {list, show(state)}; show touches only what has changed. */
+    Returns {list, show(live)}; show takes what Program.evidence() gives and touches only what has changed. */
 export function evidenceList(axes, act) {
   const list = element("dl", "facts");
   let shown = [];
@@ -18,8 +18,8 @@ export function evidenceList(axes, act) {
       place.textContent = value.replace(/\b([a-z]+)_([a-z]+)/g, "$1 $2").replaceAll("_", " ");
     }
   };
-  const show = (state) => {
-    const { evidence } = state;
+  const show = (live) => {
+    const { evidence } = live;
     if (evidence.length !== shown.length || evidence.some(({ label }, i) => label !== shown[i].label)) {
       list.replaceChildren(...evidence.flatMap(({ label }) => [element("dt", "", label), element("dd")]));
       shown = evidence.map(({ label }) => ({ label, value: null }));
@@ -32,7 +32,7 @@ export function evidenceList(axes, act) {
       }
     }
     shown = evidence;
-    tree?.show(state);
+    tree?.show(live);
   };
   return { list, show };
 }

@@ -28,21 +28,25 @@ export function showHits({ program, layout, act }) {
   );
 
   let shown = "";
-  const update = (state) => {
-    if (!state) {
+  let printed = -1; // how much had been when the report was looked at last
+  const update = (status) => {
+    // What is said changes with what is printed only; the numbers that are shown change more often.
+    if (!status || (panel.hidden && status.printed === printed)) {
       return;
     }
-    announce(state.hits.report);
+    printed = status.printed;
+    const report = program.report();
+    announce(report);
     if (panel.hidden) {
       return;
     }
-    probe.show(state.probe);
-    const text = JSON.stringify(state.hits.report);
+    probe.show(status.probe);
+    const text = JSON.stringify(report);
     if (text !== shown) {
-      showReport(now, state.hits.report);
+      showReport(now, report);
     }
     shown = text;
-    if (log.count !== state.hits.count) {
+    if (log.count !== printed) {
       log.show(program.hits());
     }
   };

@@ -60,10 +60,10 @@ export function joinPanels({ canvas, program, bare, task }) {
 
   // Who opens a task wants to read it, and who tests something wants to see what is hit.
   let shownTask;
-  program.listen((state) => {
-    const id = state.task ?? state.figure;
+  program.listen((status) => {
+    const id = status.task ?? status.figure;
     const opened = id !== shownTask && shownTask !== undefined && id !== null;
-    const tested = state.probe !== "none" || (wasTested && !opened);
+    const tested = status.probe !== "none" || (wasTested && !opened);
     if (!opened && tested === wasTested && shownTask !== undefined) {
       return;
     }

@@ -72,8 +72,8 @@ export class TaskEntry {
   }
 
   /** Shows the live evidence of the state, which is that of the open task. */
-  showEvidence(state) {
-    this.live.show(state);
+  showEvidence() {
+    this.live.show(this.program.evidence());
   }
 
   /** Runs the task's check and shows its verdict. Returns whether it passed, or null without a verdict. */

@@ -43,18 +43,18 @@ export function showTasks({ program, layout, act }) {
     update();
   }
   const reveal = () => panel.hidden || current?.box.scrollIntoView({ block: "nearest" });
-  const follow = (state) => {
-    if (!state) {
+  const follow = (status) => {
+    if (!status) {
       return;
     }
-    const all = state.figure ? figures : entries;
-    const entry = all.find(({ task }) => task.id === (state.task ?? state.figure)) ?? null;
+    const all = status.figure ? figures : entries;
+    const entry = all.find(({ task }) => task.id === (status.task ?? status.figure)) ?? null;
     const isNew = entry !== current;
     if (isNew) {
       open(entry);
     }
     if (!panel.hidden) {
-      current?.showEvidence(state);
+      current?.showEvidence();
     }
     if (isNew) {
       reveal();

@@ -73,19 +73,20 @@ export function showValues({ program, act }) {
   panel.prepend(finder(panel, rows));
 
   const shown = {};
-  const update = (state) => {
-    if (panel.hidden || !state) {
+  const update = (status) => {
+    if (panel.hidden || !status) {
       return;
     }
+    const values = program.fields();
     for (const [name, show] of shows) {
-      if (state[name] === shown[name]) {
+      if (values[name] === shown[name]) {
         continue;
       }
-      shown[name] = state[name];
-      show(state[name]);
+      shown[name] = values[name];
+      show(values[name]);
     }
     for (const { group, heading, title } of groups) {
-      const changed = group.filter((field) => state[field.name] !== defaultOf(field)).length;
+      const changed = group.filter((field) => values[field.name] !== defaultOf(field)).length;
       const text = changed ? `${title} · ${changed} changed` : title;
       if (heading.textContent !== text) {
         heading.textContent = text;

@@ -3,8 +3,8 @@
 /** Shows the names while there are four, and keeps the picture beside the panels then. */
 export function namePanes(program) {
   const names = document.getElementById("pane-names");
-  program.listen((state) => {
-    names.hidden = state.view !== "four";
+  program.listen((status) => {
+    names.hidden = status.view !== "four";
     document.body.classList.toggle("four", !names.hidden);
   }, 0);
 }

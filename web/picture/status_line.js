@@ -6,22 +6,17 @@ const counted = (count, one, many = `${one}s`) => `${count.toLocaleString("en")}
 /** Keeps the line up to date. */
 export function followStatus(program) {
   const line = document.getElementById("status");
-  const update = (state) => {
-    const parts = [`${state.detail === "both" ? "Both models" : `${state.level === "low" ? "Low" : "High"} model`}`];
-    // The evidence of a task may say something else of triangles, in words.
-    const triangles = state.evidence.find(({ label, value }) => label === "Triangles" && /^\d+$/.test(value));
-    if (triangles) {
-      parts.push(counted(Number(triangles.value), "triangle"));
+  const update = (status) => {
+    const models = status.detail === "both" ? "Both models" : `${status.level === "low" ? "Low" : "High"} model`;
+    const parts = [models, counted(status.triangles, "triangle"), counted(program.drawCalls(), "draw call")];
+    if (status.sparks > 0) {
+      parts.push(counted(status.sparks, "spark"));
     }
-    parts.push(counted(program.drawCalls(), "draw call"));
-    if (state.sparks > 0) {
-      parts.push(counted(state.sparks, "spark"));
-    }
-    if (state.shot) {
+    if (status.flies) {
       parts.push("projectile in flight");
     }
     line.textContent = parts.join(" · ");
   };
-  // The picture of a state is drawn after it was told.
-  program.listen((state) => requestAnimationFrame(() => update(state)), PAUSE_MS);
+  // Not within the frame that tells it.
+  program.listen((status) => requestAnimationFrame(() => update(status)), PAUSE_MS);
 }

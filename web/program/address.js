@@ -3,9 +3,9 @@ import { dismiss, notify } from "../base/notices.js";
 
 const PAUSE_MS = 500; // Safari refuses more than 100 changes in 30 s
 
-/** Returns the whole address of the newest state. */
+/** Returns the whole address of the state. */
 export function addressOf(program) {
-  const { link } = program.newest;
+  const link = program.link();
   return location.href.replace(/#.*$/s, "") + (link ? `#${link}` : "");
 }
 
@@ -30,7 +30,11 @@ export function followAddress(program) {
     if (location.hash !== known) {
       return; // somebody changed it: hashchange is on its way
     }
-    if (!program.newest || location.hash === (program.newest.link && `#${program.newest.link}`)) {
+    if (!program.newest) {
+      return;
+    }
+    const link = program.link();
+    if (location.hash === (link && `#${link}`)) {
       return;
     }
     try {

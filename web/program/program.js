@@ -23,8 +23,11 @@ export class Program {
   #printed = [];
   #listeners = [];
 
-  /** The newest state that the program told, or null. It stays readable when the program has stopped. */
+  /** The newest status that the program told, or null: what something shows at all times (status_json in
+      src/app/report/state_json.h). All else is asked for by who shows it. It stays readable when the program has
+      stopped. */
   newest = null;
+  #link = "";
 
   /** Compiles the program and gives it its files: [{name, bytes}]. */
   async open(canvas, wasm, files) {
@@ -36,7 +39,7 @@ export class Program {
         print: (line) => this.#keep(line, "log"),
         printErr: (line) => this.#keep(line, "warn"),
         onAbort: (why) => this.#stop(new Error(String(why))),
-        onStateChanged: (json) => this.#tell(JSON.parse(json)),
+        onStatus: (json) => this.#tell(JSON.parse(json)),
         onMessage: (sentence) => notify(sentence, { topic: "link" }),
       });
     } catch (error) {
@@ -70,7 +73,7 @@ export class Program {
     }
   }
 
-  /** Calls listener(state) now, if there is a state, and after every change, or at most once in `every` ms. */
+  /** Calls listener(status) now, if there is one, and after every change, or at most once in `every` ms. */
   listen(listener, every = 0) {
     const heard = every ? throttled(listener, every) : listener;
     this.#listeners.push(heard);
@@ -82,7 +85,9 @@ export class Program {
   state = () => JSON.parse(this.#call("state"));
   commands = () => JSON.parse(this.#call("commands"));
   command = (name, value = 1) => refuse(this.#call("command", String(name), Number(value)));
-  link = () => this.#call("link");
+  fields = () => JSON.parse(this.#call("fields"));
+  report = () => JSON.parse(this.#call("report"));
+  evidence = () => JSON.parse(this.#call("evidence"));
   capture = () => JSON.parse(this.#call("capture"));
   assetManifest = () => JSON.parse(this.#call("asset_manifest"));
   hits = () => JSON.parse(this.#call("hits"));
@@ -90,6 +95,14 @@ export class Program {
   tasks = () => this.#tasksAndFigures().filter((row) => row.kind === "task");
   figures = () => this.#tasksAndFigures().filter((row) => row.kind === "figure");
   draw = () => void this.#call("draw");
+
+  /** Returns the fragment that describes the state, without "#"; of a program that has stopped, the last one asked for. */
+  link = () => {
+    if (!this.#stopped) {
+      this.#link = this.#call("link");
+    }
+    return this.#link;
+  };
 
   /** Shows a tank made of files: [{name, bytes}]. Returns {error, notes}: "" or a sentence that says why the
       tank stays as it was, and sentences about the new one. */
@@ -168,10 +181,10 @@ export class Program {
     }
   }
 
-  #tell(state) {
-    this.newest = state;
+  #tell(status) {
+    this.newest = status;
     for (const listener of this.#listeners) {
-      listener(state);
+      listener(status);
     }
   }
 

@@ -210,6 +210,13 @@ std::string status_json(const Simulation& simulation)
     return json.take();
 }
 
+std::string report_json(const Simulation& simulation)
+{
+    base::JsonWriter json;
+    write_report(json, simulation.report());
+    return json.take();
+}
+
 std::string fields_json(const State& state)
 {
     base::JsonWriter json;

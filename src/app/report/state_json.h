@@ -32,6 +32,9 @@ std::string hits_json(const Simulation& simulation);
 /// in state_json(); `tank` and `has_own_tank`; `printed` (how many reports and events so far).
 std::string status_json(const Simulation& simulation);
 
+/// Returns the report of hits alone, as hits_json() has it.
+std::string report_json(const Simulation& simulation);
+
 /// Returns the fields as state_json() has them, and nothing else.
 std::string fields_json(const State& state);
 

@@ -89,6 +89,12 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_evidence()
     return kept(program().started() ? app::evidence_json(program().simulation()) : "null");
 }
 
+/// Returns the report of hits as JSON (app::report_json), or null before the start.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_report()
+{
+    return kept(program().started() ? app::report_json(program().simulation()) : "null");
+}
+
 /// Returns what the probe hits as JSON (app::hits_json), or null before the start.
 EMSCRIPTEN_KEEPALIVE const char* tanklab_hits()
 {

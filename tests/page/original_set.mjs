@@ -2,6 +2,7 @@
 // section 9; tests/app/original_set.cpp holds the program to each quirk).
 import { zipArchive } from "./zip_archive.mjs";
 
+/** @type {Record<string, {box: [number[], number[]], steps: number}>} */
 const HIGH = {
   tankbody: {
     box: [

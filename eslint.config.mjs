@@ -1,5 +1,5 @@
 // What the modules of the page, the scripts and the tests are held to besides their layout, which is prettier's, and
-// their types, which are in tsconfig.json. tests/layers/checks.mjs modules runs all three.
+// their types, which are in tsconfig.json. `npm run lint` checks all three.
 import js from "@eslint/js";
 import globals from "globals";
 

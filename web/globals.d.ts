@@ -2,19 +2,19 @@
 
 /** Emscripten's factory of the program; see scripts/cmake/WebPage.cmake. */
 declare module "tanklab" {
-    export interface TanklabModule {
-        ccall(name: string, returns: string | null, types: string[], values: unknown[]): any;
-        HEAPU8: Uint8Array;
-        _malloc(bytes: number): number;
-        _free(address: number): void;
-    }
-    export default function createTanklab(given: object): Promise<TanklabModule>;
+  export interface TanklabModule {
+    ccall(name: string, returns: string | null, types: string[], values: unknown[]): any;
+    HEAPU8: Uint8Array;
+    _malloc(bytes: number): number;
+    _free(address: number): void;
+  }
+  export default function createTanklab(given: object): Promise<TanklabModule>;
 }
 
 interface Window {
-    tanklab: object;
+  tanklab: object;
 }
 
 interface Navigator {
-    keyboard?: { getLayoutMap?(): Promise<Map<string, string>> };
+  keyboard?: { getLayoutMap?(): Promise<Map<string, string>> };
 }

@@ -5,7 +5,7 @@ declare function createEmscripten(given: object): Promise<any>;
 declare function createReading(given: object): Promise<any>;
 
 interface Window {
-    run(name: string, frames: number, draws: boolean): Promise<void>;
-    pictures(): Promise<Record<string, number[]>>;
-    reading(files: [string, string][], rounds: number): Promise<Record<string, number[]>>;
+  run(name: string, frames: number, draws: boolean): Promise<void>;
+  pictures(): Promise<Record<string, number[]>>;
+  reading(files: [string, string][], rounds: number): Promise<Record<string, number[]>>;
 }

@@ -263,7 +263,7 @@ if (fs.existsSync(local("index.html"))) {
   site.set("index.html", await makeHtml(source, false));
   site.set("tanklab.html", await makeHtml(source, true));
   for (const file of filesBelow(given.web)) {
-    if (bundled.has(file) || [".js", ".mjs", ".css", ".html", ".md"].includes(path.extname(file))) {
+    if (bundled.has(file) || [".js", ".mjs", ".ts", ".css", ".html", ".md"].includes(path.extname(file))) {
       continue;
     }
     site.set(file, fs.readFileSync(local(file)));
@@ -277,13 +277,9 @@ const size = (bytes) => `${(bytes / 1024).toFixed(1)} KB`;
 const script = Buffer.concat(
   [...site].filter(([file]) => file.endsWith(".js") && !file.startsWith("later/")).map(([, bytes]) => bytes),
 );
-for (const [name, bytes] of [
-  ["program", wasm],
-  ["script", script],
-]) {
-  console.log(
-    `${name.padEnd(8)} ${size(bytes.length).padStart(10)} ${size(gzipSync(bytes, { level: 9 }).length).padStart(10)} gzipped`,
-  );
+for (const [name, bytes] of Object.entries({ program: wasm, script })) {
+  const [plain, zipped] = [bytes, gzipSync(bytes, { level: 9 })].map(({ length }) => size(length).padStart(10));
+  console.log(`${name.padEnd(8)} ${plain} ${zipped} gzipped`);
 }
 if (missing.length > 0) {
   stop([...new Set(missing)]);

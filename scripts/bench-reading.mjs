@@ -26,6 +26,7 @@ export async function measureReading(say) {
     logLevel: "warning",
   });
   const files = fs.readdirSync(OBJECTS).filter((name) => name.endsWith(".obj"));
+  /** @type {[string, string][]} */
   const texts = files.map((name) => [name, fs.readFileSync(path.join(OBJECTS, name), "utf8")]);
   const server = await serve(PAGE, { isolated: true });
   const browser = await launch("chromium");

@@ -83,12 +83,13 @@ async function measure(variant, server) {
     await page.evaluateOnNewDocument(observe);
     await page.goto(variant.file ? pathToFileURL(path.join(SITE, variant.file)).href : server.url);
     await page.waitForFunction("window.tanklab && window.tanklabBench.firstFrame !== null", { timeout: FRAME_TIMEOUT });
-    const firstFrame = await page.evaluate("tanklabBench.firstFrame");
+    const firstFrame = await page.evaluate(() => window.tanklabBench.firstFrame);
     await page.evaluate(
       "tanklab.ready.then(() => { tanklab.command('turret_left', 1); tanklabBench.recording = true; })",
     );
     await page.waitForFunction(`tanklabBench.frames.length >= ${WARM_UP_FRAMES + FRAMES}`, { timeout: FRAME_TIMEOUT });
-    const frames = (await page.evaluate("tanklabBench.frames")).slice(WARM_UP_FRAMES, WARM_UP_FRAMES + FRAMES);
+    const recorded = await page.evaluate(() => window.tanklabBench.frames);
+    const frames = recorded.slice(WARM_UP_FRAMES, WARM_UP_FRAMES + FRAMES);
     return { firstFrame, frame: quantile(frames, 0.5), slowFrame: quantile(frames, 0.95) };
   } finally {
     await browser.close();

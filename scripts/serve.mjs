@@ -79,6 +79,7 @@ function answer(folder, isolated, request, response) {
   }
 
   const extension = path.extname(file).toLowerCase();
+  /** @type {Buffer} */
   let bytes = fs.readFileSync(file);
   headers["Content-Type"] = TYPES[extension] ?? "application/octet-stream";
   if (!COMPRESSED_ALREADY.has(extension)) {
@@ -120,7 +121,7 @@ export async function serve(folder, { port = 0, isolated = false } = {}) {
       }
     }
   }
-  const actual = server.address().port;
+  const { port: actual } = /** @type {import("node:net").AddressInfo} */ (server.address());
   const close = () =>
     new Promise((resolve) => {
       server.close(resolve);

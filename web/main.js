@@ -1,4 +1,5 @@
 // Loads the program, starts it in the state that the address describes, and joins it to the page.
+import { byId } from "./base/elements.js";
 import { dismiss, notify } from "./base/notices.js";
 import { lightHeld } from "./controls/command_button.js";
 import { readKeyboardLayout } from "./controls/key_labels.js";
@@ -17,7 +18,7 @@ import { hideProgress, loadFiles, showProgress } from "./program/load.js";
 import { Program } from "./program/program.js";
 import { joinShareButton } from "./program/share.js";
 
-const canvas = document.getElementById("canvas");
+const canvas = byId("canvas");
 const bare = new URLSearchParams(location.search).get("overlays") === "0"; // for pictures that are compared
 document.body.classList.toggle("bare", bare);
 
@@ -37,7 +38,7 @@ function requireWebGl2() {
 function reveal() {
   performance.mark("tanklab-first-frame");
   for (const element of document.querySelectorAll("[inert]")) {
-    element.inert = false;
+    element.removeAttribute("inert");
   }
   document.body.classList.replace("loading", "ready");
   hideProgress();

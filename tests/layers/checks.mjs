@@ -1,15 +1,17 @@
-// Checks of the source tree that no compiler makes: which folder includes which, who calls OpenGL, the
-// layout of the code, and that no file names a package registry's host.
+// Checks of the source tree that no compiler makes: which folder includes which, who calls OpenGL, the layout of the
+// code, the rules and types of what is JavaScript, and that no file names a package registry's host.
 //
-//   node tests/layers/checks.mjs layers|format|hosts [ROOT] [--write]
+//   node tests/layers/checks.mjs layers|format|hosts|modules [ROOT] [--write]
 //
-// --write has `format` lay the code out, rather than say where that is due.
+// --write has `format` and `modules` mend what can be, rather than say where that is due.
 // Prints each violation as FILE:LINE: TEXT; the exit status is 1 where there is one, 2 where a check
 // cannot be made.
 import fs from "node:fs";
 import path from "node:path";
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
+import { checkLayout } from "./layout.mjs";
+import { checkModules } from "./modules.mjs";
 
 const THE_FIVE = ["mesh", "tank", "collision", "particles", "lod"];
 const BELOW_APP = ["assets", "image", ...THE_FIVE, "base"];
@@ -222,26 +224,16 @@ export async function checkFormat(root, write = false) {
     throw new Error(`clang-format does not start (${error.message}); scripts/setup web installs it`);
   });
   const style = fs.readFileSync(path.join(root, ".clang-format"), "utf8");
-  const violations = [];
-  for (const file of files) {
-    const full = path.join(root, file);
-    const text = fs.readFileSync(full, "utf8");
-    const formatted = format(text, file, style);
-    if (formatted === text) {
-      continue;
-    }
-    if (write) {
-      fs.writeFileSync(full, formatted);
-      continue;
-    }
-    const expected = formatted.split("\n");
-    const line = text.split("\n").findIndex((content, index) => content !== expected[index]) + 1;
-    violations.push({ file, line, text: "is not as clang-format lays it out (checks.mjs format --write does it)" });
-  }
-  return violations;
+  const how = { program: "clang-format", command: "checks.mjs format --write", write };
+  return checkLayout(root, files, (text, file) => format(text, file, style), how);
 }
 
-const CHECKS = { layers: checkLayers, format: checkFormat, hosts: checkHosts };
+const CHECKS = {
+  layers: checkLayers,
+  format: checkFormat,
+  hosts: checkHosts,
+  modules: (root, write) => checkModules(root, sourceFiles(root), write),
+};
 
 if (process.argv[1] && fs.realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
   const write = process.argv.includes("--write");

@@ -42,6 +42,8 @@ test("a tree that obeys the table of layers has no violations", () => {
   assert.deepEqual(violations(checkLayers, OBEYS), []);
 });
 
+/** What is wrong, and how: the file, its line, and what is said.
+    @type {Record<string, [string, string, RegExp]>} */
 const VIOLATIONS = {
   "one of the five includes another": [
     "src/collision/a.cpp",

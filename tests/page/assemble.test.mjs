@@ -19,6 +19,7 @@ const PARTS = {
     '<html><head><link rel="icon" href="icon.svg"><link rel="stylesheet" href="style.css"></head>' +
     '<body><script type="module" src="main.js"></script></body></html>',
   "web/icon.svg": "<svg/>",
+  "web/types.d.ts": "declare const nothing: null;",
   "web/style.css": "body { color: red; }\n",
   "web/main.js": 'import create from "tanklab";\nimport { text } from "./other.js";\nconsole.log(create, text);\n',
   "web/other.js": 'export const text = "</script>";\n',
@@ -113,7 +114,7 @@ test("modules and other files end up where they belong, notes and sources nowher
     for (const file of ["main.js", "icon.svg", "style.css", "tanklab.wasm", "assets/texture.png"]) {
       assert.ok(files.includes(file), file);
     }
-    for (const file of ["other.js", "tanklab.js", "assets/notes.txt"]) {
+    for (const file of ["other.js", "tanklab.js", "types.d.ts", "assets/notes.txt"]) {
       assert.ok(!files.includes(file), file);
     }
   });
@@ -173,7 +174,8 @@ test("a second run changes no file, and what is gone from the parts goes from th
   });
 });
 
-for (const [name, changes, complaint] of [
+/** @type {[string, Record<string, string | null>, RegExp][]} */
+const LACKING = [
   ["index.html", { "web/index.html": null }, /web\/index\.html is missing/],
   ["a style that index.html names", { "web/style.css": null }, /web\/style\.css is missing, which index\.html names/],
   ["the script that index.html names", { "web/main.js": null }, /web\/main\.js is missing, which index\.html names/],
@@ -181,7 +183,8 @@ for (const [name, changes, complaint] of [
   ["the program", { "program/tanklab.wasm": null }, /tanklab\.wasm is missing: build the target tanklab first/],
   ["models", { "assets/tankobjs/tankbody.obj": null, "assets/texture.png": null }, /assets holds no models/],
   ["a head in index.html", { "web/index.html": "<p>" }, /no <\/head>/],
-]) {
+];
+for (const [name, changes, complaint] of LACKING) {
   test(`what lacks is named: ${name}`, () => {
     assemble(changes, ({ status, errors }) => {
       assert.notEqual(status, 0);

@@ -8,7 +8,7 @@ test("the example's cube turns, its sides lit and coloured", async () => {
     "chromium",
     { folder: process.env.TANKLAB_EXAMPLES, path: "spinning_cube.html" },
     async ({ page, problems }) => {
-      await page.waitForFunction(() => document.getElementById("canvas").width === 640);
+      await page.waitForFunction(() => document.querySelector("canvas").width === 640);
       await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
       const first = await pixels(page, "#canvas");
       keepPicture("spinning_cube", first);

@@ -51,9 +51,11 @@ test("a browser without WebGL 2 is told so", async () => {
   const before = (page) =>
     page.evaluateOnNewDocument(() => {
       const real = HTMLCanvasElement.prototype.getContext;
-      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-        return kind === "webgl2" ? null : real.call(this, kind, ...rest);
-      };
+      HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
+        function (kind, ...rest) {
+          return kind === "webgl2" ? null : real.call(this, kind, ...rest);
+        }
+      );
     });
   assert.match(await failure({ before }), /WebGL 2/);
 });
@@ -62,9 +64,9 @@ test("after a lost context the picture comes back by itself", async () => {
   await withTank("chromium", { path: `${BARE}#turret=40` }, async ({ page }) => {
     const before = await pixels(page, "#canvas");
     await page.evaluate(async () => {
-      const extension = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
+      const extension = document.querySelector("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
       const event = (name) =>
-        new Promise((done) => document.getElementById("canvas").addEventListener(name, done, { once: true }));
+        new Promise((done) => document.querySelector("canvas").addEventListener(name, done, { once: true }));
       const lost = event("webglcontextlost");
       extension.loseContext();
       await lost;

@@ -182,7 +182,10 @@ async function openSession(name, flags) {
     before: called with the page before it loads anything, to listen or to break something.
     flags: for a browser of its own, besides those of launch().
     The function gets { page, browser, context, url, problems }; problems gathers, as text, what the page's console calls
-    an error, exceptions nobody caught, and requests that failed. */
+    an error, exceptions nobody caught, and requests that failed.
+    @param {string} name
+    @param {{path?: string, url?: string, folder?: string, viewport?: object, before?: Function, flags?: string[]}} options
+    @param {Function} use */
 export async function withPage(name, { path: rest = "", url, folder = SITE, viewport, before, flags } = {}, use) {
   const server = url ? null : await serve(folder);
   const { browser, context, close } = await openSession(name, flags);

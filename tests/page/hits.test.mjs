@@ -160,7 +160,7 @@ test("what is penetrated is read out when it changes, without its numbers and no
     await page.evaluate(() => {
       window.said = [];
       new MutationObserver(() =>
-        said.push([performance.now(), document.getElementById("hits-said").textContent]),
+        window.said.push([performance.now(), document.getElementById("hits-said").textContent]),
       ).observe(document.getElementById("hits-said"), { childList: true });
     });
     assert.equal(
@@ -169,8 +169,8 @@ test("what is penetrated is read out when it changes, without its numbers and no
       "what the page begins with is read where it stands",
     );
     await holdKey(page, "KeyO", (now) => !now.hits.report.root.inside, 15000);
-    await page.waitForFunction(() => said.at(-1)?.[1] === "Outside the whole tank.");
-    const times = await page.evaluate(() => said.map(([time]) => time));
+    await page.waitForFunction(() => window.said.at(-1)?.[1] === "Outside the whole tank.");
+    const times = await page.evaluate(() => window.said.map(([time]) => time));
     for (let i = 1; i < times.length; ++i) {
       assert.ok(times[i] - times[i - 1] > 1000, JSON.stringify(times));
     }

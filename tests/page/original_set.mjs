@@ -2,6 +2,7 @@
 // docs/architecture.md lists; tests/assets/users_tank_test.cpp holds the program to each of these.
 import { zipArchive } from "./zip_archive.mjs";
 
+/** @type {Record<string, {box: [number[], number[]], steps: number}>} */
 const HIGH = {
   tankbody: {
     box: [

@@ -124,7 +124,7 @@ test("loose files are chosen by keyboard alone", async () => {
     await page.keyboard.press("Enter");
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement.textContent), "Choose a folder");
-    assert.ok(await page.evaluate(() => document.getElementById("own-tank-folder").webkitdirectory));
+    assert.ok(await page.evaluate(() => document.getElementById("own-tank-folder").matches("[webkitdirectory]")));
     await page.keyboard.press("Escape");
     assert.equal(await page.evaluate(() => document.querySelector("dialog[open]")), null);
   });
@@ -220,6 +220,8 @@ for (const browser of ["chromium", "firefox"]) {
 }
 
 const zipped = (files) => zipArchive(files);
+/** What is brought, by its names, what is said of it, and how large tankbody.obj is said to be.
+    @type {[string, Record<string, Uint8Array>, RegExp, number?][]} */
 const BAD_INPUT = [
   ["a zip that is none", { "tankLab.zip": text("no zip at all") }, /tankLab\.zip is no zip archive\. Drop /],
   [
@@ -327,7 +329,7 @@ test("what makes no tank is said, with what to do, and the tank stays as it was"
       }
       const words = await drop(page, files);
       if (size) {
-        await page.evaluate(() => delete File.prototype.size);
+        await page.evaluate(() => Reflect.deleteProperty(File.prototype, "size"));
       }
       assert.match(words, expected, name);
       assert.match(words, /\.$/, name);

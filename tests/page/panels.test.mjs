@@ -51,13 +51,14 @@ function faultsOfLayout() {
     const runs = [];
     const walker = document.createTreeWalker(section, NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-      if (!node.data.trim() || !visible(node.parentElement) || node.parentElement.closest("option, .overview")) {
+      const text = node.textContent.trim();
+      if (!text || !visible(node.parentElement) || node.parentElement.closest("option, .overview")) {
         continue;
       }
       const range = document.createRange();
       range.selectNodeContents(node);
       for (const box of range.getClientRects()) {
-        runs.push({ box, text: node.data.trim().slice(0, 40) });
+        runs.push({ box, text: text.slice(0, 40) });
       }
     }
     for (let i = 0; i < runs.length; ++i) {

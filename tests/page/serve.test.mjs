@@ -14,7 +14,9 @@ import { serve } from "../../scripts/serve.mjs";
 const SCRIPT = fileURLToPath(new URL("../../scripts/serve.mjs", import.meta.url));
 const TEXT = "tank ".repeat(1000);
 
-let outside, folder, server;
+let outside;
+let folder;
+let server;
 before(async () => {
   outside = fs.mkdtempSync(path.join(os.tmpdir(), "tanklab-serve-"));
   folder = path.join(outside, "site");
@@ -112,11 +114,13 @@ test("a taken port gives the next free one, and it says so; Ctrl-C ends it", asy
   assert.deepEqual(await once(program, "exit"), [0, null]);
 });
 
-for (const [given, complaint] of [
+/** @type {[string[], RegExp][]} */
+const REFUSED = [
   [["--port", "x"], /'x' is no port/],
   [["--port", "70000"], /'70000' is no port/],
   [["/there/is/no/folder"], /there is no folder/],
-]) {
+];
+for (const [given, complaint] of REFUSED) {
   test(`${given.join(" ")} is refused with status 2`, async () => {
     const program = spawn(process.execPath, [SCRIPT, ...given]);
     let output = "";

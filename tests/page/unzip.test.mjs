@@ -1,8 +1,7 @@
 // Unpacking, without a browser: what an archive says of itself is not believed.
 import assert from "node:assert/strict";
-import { Duplex } from "node:stream";
 import { test } from "node:test";
-import { createInflateRaw } from "node:zlib";
+import { inflateRawSync } from "node:zlib";
 import { importWebModule } from "./web_module.mjs";
 import { zipArchive } from "./zip_archive.mjs";
 
@@ -12,9 +11,13 @@ const { unzip } = await importWebModule("own_tank/unzip.js");
 try {
   new DecompressionStream("deflate-raw");
 } catch {
-  globalThis.DecompressionStream = class {
+  globalThis.DecompressionStream = class extends TransformStream {
     constructor() {
-      return Duplex.toWeb(createInflateRaw());
+      const parts = [];
+      super({
+        transform: (part) => void parts.push(part),
+        flush: (controller) => controller.enqueue(inflateRawSync(Buffer.concat(parts))),
+      });
     }
   };
 }
@@ -25,7 +28,7 @@ const text = (words) => new TextEncoder().encode(words);
 /** Unpacks the .obj files of an archive. */
 function open(bytes, { limit = 32 * MEGABYTE, budget = 256 * MEGABYTE } = {}) {
   let left = budget;
-  return unzip(bytes instanceof Uint8Array ? new Blob([bytes]) : bytes, {
+  return unzip(bytes.size === undefined ? new Blob([bytes]) : bytes, {
     name: "a.zip",
     limitOf: (path) => (path.endsWith(".obj") ? limit : 0),
     takeFromBudget: (count) => {

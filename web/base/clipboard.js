@@ -1,7 +1,9 @@
 // Copying, also where the browser does not let a page use the clipboard.
 
 /** Copies a text. Where that is refused, selects `element`, which shows the text, to be copied by hand.
-    element: a field or any other element, or null. Returns whether the text is in the clipboard. */
+    Returns whether the text is in the clipboard.
+    @param {string} text
+    @param {HTMLElement | null} element */
 export async function copyText(text, element = null) {
   try {
     await navigator.clipboard.writeText(text);
@@ -12,11 +14,11 @@ export async function copyText(text, element = null) {
   if (!element) {
     return false;
   }
-  if (element.select) {
+  if (element instanceof HTMLInputElement) {
     element.focus();
     element.select();
   } else {
-    getSelection().selectAllChildren(element);
+    getSelection()?.selectAllChildren(element);
   }
   try {
     return document.execCommand("copy");

@@ -1,10 +1,13 @@
 // Short messages at the edge of the picture, each a sentence, until they are dismissed.
 
-const box = document.getElementById("notices");
+import { byId } from "./elements.js";
+
+const box = byId("notices");
+const shown = () => /** @type {HTMLElement[]} */ ([...box.children]);
 
 /** Takes away the notices about a topic. */
 export function dismiss(topic) {
-  for (const notice of [...box.children]) {
+  for (const notice of shown()) {
     if (notice.dataset.topic === topic) {
       notice.remove();
     }
@@ -12,10 +15,12 @@ export function dismiss(topic) {
 }
 
 /** Shows a sentence. The same sentence is not shown twice.
-    topic: what dismiss() finds it by. field: an element to show below the sentence. */
+    topic: what dismiss() finds it by. field: an element to show below the sentence.
+    @param {string} sentence
+    @param {{topic?: string, field?: HTMLElement | null}} options */
 export function notify(sentence, { topic = "", field = null } = {}) {
-  for (const other of [...box.children]) {
-    if (other.dataset.topic === topic && other.querySelector("p").textContent === sentence) {
+  for (const other of shown()) {
+    if (other.dataset.topic === topic && other.querySelector("p")?.textContent === sentence) {
       other.remove();
     }
   }

@@ -40,6 +40,6 @@ export function scaleOf(field) {
 export function keyStep(field, value) {
   const wanted = curveOf(field) === linear ? (field.maximum - field.minimum) / 150 : Math.abs(value) / 20;
   const power = 10 ** Math.floor(Math.log10(Math.max(wanted, field.step)));
-  const nice = [1, 2, 5, 10].find((factor) => factor * power >= wanted * 0.999) * power;
+  const nice = ([1, 2, 5].find((factor) => factor * power >= wanted * 0.999) ?? 10) * power;
   return Math.max(field.step, nice);
 }

@@ -1,5 +1,5 @@
 // The user's own tank: dropped on the page or chosen, read here and nowhere else. Nothing leaves the browser.
-import { button, element } from "../base/elements.js";
+import { around, button, element } from "../base/elements.js";
 import { dismiss, notify } from "../base/notices.js";
 import { chosenFiles, droppedFiles } from "./brought_files.js";
 import { readTankFiles } from "./tank_files.js";
@@ -53,31 +53,34 @@ function joinDrop(take) {
   sign.id = "drop";
   sign.hidden = true;
   document.body.append(sign);
-  const hasFiles = (event) => event.dataTransfer?.types.includes("Files");
+  /** @type {(event: DragEvent) => DataTransfer | null} */
+  const filesOf = ({ dataTransfer }) => (dataTransfer?.types.includes("Files") ? dataTransfer : null);
   addEventListener("dragover", (event) => {
-    if (!hasFiles(event)) {
+    const files = filesOf(event);
+    if (!files) {
       return;
     }
     event.preventDefault(); // or the browser would open the file
-    event.dataTransfer.dropEffect = "copy";
+    files.dropEffect = "copy";
     sign.hidden = false;
   });
   addEventListener("dragleave", (event) => (sign.hidden ||= !event.relatedTarget)); // the window, not a part of it
   addEventListener("drop", (event) => {
     sign.hidden = true;
-    if (!hasFiles(event)) {
+    const files = filesOf(event);
+    if (!files) {
       return;
     }
     event.preventDefault();
-    const files = droppedFiles(event.dataTransfer);
-    take(() => files);
+    const found = droppedFiles(files);
+    take(() => found);
   });
 }
 
 /** Who shows a tank of their own keeps it when they follow a link of the page, such as a task. */
 function keepInLinks(program) {
   document.addEventListener("click", (event) => {
-    const link = event.target.closest?.("a[href^='#']");
+    const link = /** @type {HTMLAnchorElement | null} */ (around(event, "a[href^='#']"));
     const { tank, has_own_tank: has } = program.newest ?? {};
     if (!link || tank !== "own" || !has || event.ctrlKey || event.metaKey || event.shiftKey) {
       return;
@@ -156,7 +159,7 @@ export function joinOwnTank({ canvas, program, act }) {
   const open = button("quiet", "Your own tank …", () => box.showModal());
   open.id = "own-tank";
   open.setAttribute("aria-haspopup", "dialog");
-  document.querySelector("footer .lines").append(open);
+  document.querySelector("footer .lines")?.append(open);
   document.body.append(files, folder, box);
   joinDrop(take);
   keepInLinks(program);

@@ -1,5 +1,5 @@
 // What is penetrated: as it is now, level by level, and what was printed.
-import { element } from "../base/elements.js";
+import { byId, element } from "../base/elements.js";
 import { commandButton } from "../controls/command_button.js";
 import { segmentsControl } from "../controls/controls.js";
 import { keycaps, keyLabels } from "../controls/key_labels.js";
@@ -10,7 +10,7 @@ const PAUSE_MS = 80; // between two looks at what is hit
 
 /** Fills the panel; it follows the state. */
 export function showHits({ program, layout, act }) {
-  const panel = document.getElementById("hits");
+  const panel = byId("hits");
   const commands = new Map(program.commands().map((command) => [command.name, command]));
   const probe = segmentsControl(commands.get("probe"), act);
   const now = element("div", "now");
@@ -18,7 +18,7 @@ export function showHits({ program, layout, act }) {
   const print = commands.get("print_report");
   const printing = commandButton(print, "chip", [keycaps(keyLabels(print, layout).slice(0, 1)), "Print again"], act);
   printing.setAttribute("aria-label", print.title);
-  const announce = announcer(document.getElementById("hits-said"));
+  const announce = announcer(byId("hits-said"));
   panel.append(
     element("h2", "", "Tested against the spheres"),
     ...probe.elements.slice(1),

@@ -1,5 +1,5 @@
 // The list of keys, made from the program's table of commands. Rows and keys here are buttons, too.
-import { element } from "../base/elements.js";
+import { byId, element } from "../base/elements.js";
 import { commandRows } from "../controls/command_rows.js";
 import { byGroup, foldedGroup } from "../controls/groups.js";
 import { keycaps } from "../controls/key_labels.js";
@@ -14,7 +14,7 @@ const POINTER = [
 
 /** Fills the panel. */
 export function showKeys(parts) {
-  const panel = document.getElementById("keys");
+  const panel = byId("keys");
   const withKeys = parts.program.commands().filter((command) => command.keys.length > 0);
   panel.append(
     element(

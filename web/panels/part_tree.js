@@ -2,17 +2,21 @@
 // part shows the axis it turns about; of a part with two axes the next press shows the other one.
 import { button, element } from "../base/elements.js";
 
-/** Reads "a (b, c (d))" into {name, children}. */
+/** Reads "a (b, c (d))" into {name, children}.
+    @typedef {{name: string, children: Part[]}} Part
+    @returns {Part} */
 function readTree(text) {
-  const top = { children: [] };
+  const top = { name: "", children: [] };
+  /** @type {Part[]} */
   const path = [top];
   for (const [token] of text.matchAll(/\w+|[()]/g)) {
+    const { children } = path[path.length - 1];
     if (token === "(") {
-      path.push(path.at(-1).children.at(-1));
+      path.push(children[children.length - 1]);
     } else if (token === ")") {
       path.pop();
     } else {
-      path.at(-1).children.push({ name: token, children: [] });
+      children.push({ name: token, children: [] });
     }
   }
   return top.children[0];

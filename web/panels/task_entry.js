@@ -50,7 +50,8 @@ export class TaskEntry {
     this.show(task);
   }
 
-  /** Shows what a check found, or that there was none. What failed is said even while the task is not open. */
+  /** Shows what a check found, or that there was none. What failed is said even while the task is not open.
+      @param {{passed: boolean | null, evidence?: string[]}} found */
   show({ passed, evidence }) {
     this.passed = passed;
     this.mark.textContent = markOf(passed);

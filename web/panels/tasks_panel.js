@@ -1,5 +1,5 @@
 // The lab's tasks and the handout's figures.
-import { element } from "../base/elements.js";
+import { byId } from "../base/elements.js";
 import { foldedGroup } from "../controls/groups.js";
 import { overview } from "./overview.js";
 import { TaskEntry } from "./task_entry.js";
@@ -9,7 +9,7 @@ const PAUSE_MS = 100; // between two looks at the evidence
 
 /** Fills the panel; the open entry follows the state. */
 export function showTasks({ program, layout, act }) {
-  const panel = document.getElementById("tasks");
+  const panel = byId("tasks");
   const commands = new Map(program.commands().map((command) => [command.name, command]));
   const parts = { program, commands, layout, act };
   const entries = program.tasks().map((task) => new TaskEntry(task, parts, () => update()));

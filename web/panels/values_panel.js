@@ -1,5 +1,5 @@
 // A control for each value of the state, made from the program's table, in groups that fold.
-import { element } from "../base/elements.js";
+import { byId, element } from "../base/elements.js";
 import { control, defaultOf } from "../controls/controls.js";
 import { byGroup, foldedGroup } from "../controls/groups.js";
 
@@ -43,7 +43,7 @@ function finder(panel, rows) {
 
 /** Fills the panel; the controls follow the state. */
 export function showValues({ program, act }) {
-  const panel = document.getElementById("values");
+  const panel = byId("values");
   // A row that sets several fields has each of them in a row of its own.
   const fields = program.commands().filter((command) => command.kind === "set" && command.fields.length === 1);
   const shows = new Map();

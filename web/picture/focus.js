@@ -1,8 +1,10 @@
 // The keys work while the picture has the focus.
 
+import { around, byId } from "../base/elements.js";
+
 /** Follows the focus: a hint says when the keys do not work, a ring shows where Tab has come to. */
 export function followFocus(canvas) {
-  const hint = document.getElementById("focus-hint");
+  const hint = byId("focus-hint");
   let byTab = false;
   document.addEventListener("keydown", (event) => (byTab = event.key === "Tab"), true);
   document.addEventListener("pointerdown", () => (byTab = false), true);
@@ -23,7 +25,7 @@ export function followFocus(canvas) {
   // Buttons leave the focus to the picture when they are clicked, so that the keys go on working; what is
   // typed into takes it, and whoever comes to a button by Tab stays there.
   document.addEventListener("mousedown", (event) => {
-    const target = event.target.closest("button, summary, a");
+    const target = around(event, "button, summary, a");
     if (target && document.activeElement === canvas) {
       event.preventDefault();
     }

@@ -1,4 +1,5 @@
 // The address follows the state, and the state follows an address that somebody changes.
+import { around } from "../base/elements.js";
 import { dismiss, notify } from "../base/notices.js";
 
 const PAUSE_MS = 500; // Safari refuses more than 100 changes in 30 s
@@ -58,7 +59,7 @@ export function followAddress(program) {
   addEventListener("hashchange", openAddress);
   // A link to where the address is already changes nothing there, but the state may have moved since.
   document.addEventListener("click", (event) => {
-    const link = event.target.closest?.("a[href^='#']");
+    const link = /** @type {HTMLAnchorElement | null} */ (around(event, "a[href^='#']"));
     if (link && link.hash === location.hash) {
       openAddress();
     }

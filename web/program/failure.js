@@ -1,5 +1,6 @@
 // What is shown when the page cannot go on.
 import { copyText } from "../base/clipboard.js";
+import { byId } from "../base/elements.js";
 
 /** A failure that people can be told of: what happened and where (the message), and what to do (the advice). */
 export class LoadFailure extends Error {
@@ -20,11 +21,11 @@ function detailsOf(error, printed) {
 /** Shows a failure over the page; the first one stays. The address is left as it is, and with it the state.
     printed: what the program said before. */
 export function showFailure(error, printed = []) {
-  const box = document.getElementById("failure");
+  const box = byId("failure");
   if (!box.hidden) {
     return;
   }
-  const part = (selector) => box.querySelector(selector);
+  const part = (selector) => /** @type {any} */ (box.querySelector(selector)); // elements of many kinds
   const known = error instanceof LoadFailure;
   part("h2").textContent = known ? error.title : "The program stopped";
   part(".what").textContent = known ? error.message : "Tank Lab came upon a fault of its own and cannot go on.";
@@ -42,9 +43,9 @@ export function showFailure(error, printed = []) {
     copy.textContent = done ? "Copied" : "Selected: press Ctrl+C";
   };
 
-  document.getElementById("loading").hidden = true;
+  byId("loading").hidden = true;
   for (const other of document.querySelectorAll("body > :not(#failure)")) {
-    other.inert = true;
+    other.setAttribute("inert", "");
   }
   box.hidden = false;
   part("#reload").focus();

@@ -1,17 +1,19 @@
 // Fetches the program and the tank's files, and shows how much of them is there.
+import { byId } from "../base/elements.js";
 import { LoadFailure } from "./failure.js";
 
-const screen = document.getElementById("loading");
-const track = screen.querySelector(".track");
+const screen = byId("loading");
+const track = /** @type {HTMLElement} */ (screen.querySelector(".track"));
+const bar = /** @type {HTMLElement} */ (track.firstElementChild);
 
 /** Shows a share from 0 to 1 and what is going on. */
 export function showProgress(share, what) {
   const percent = Math.floor(100 * Math.min(1, share));
   track.setAttribute("aria-valuenow", String(percent));
   track.setAttribute("aria-valuetext", `${what}, ${percent} %`);
-  track.firstElementChild.style.transform = `scaleX(${percent / 100})`;
-  document.getElementById("loading-what").textContent = what;
-  document.getElementById("loading-share").textContent = `${percent} %`;
+  bar.style.transform = `scaleX(${percent / 100})`;
+  byId("loading-what").textContent = what;
+  byId("loading-share").textContent = `${percent} %`;
 }
 
 /** Fades the screen out, and takes it away. */
@@ -41,7 +43,7 @@ async function fetchFile({ name, url }, arrived) {
   }
   const parts = [];
   try {
-    const reader = response.body.getReader();
+    const reader = /** @type {ReadableStream<Uint8Array<ArrayBuffer>>} */ (response.body).getReader();
     for (let part = await reader.read(); !part.done; part = await reader.read()) {
       parts.push(part.value);
       arrived(part.value.length);
@@ -55,7 +57,7 @@ async function fetchFile({ name, url }, arrived) {
 /** Fetches all that the page's list of files names. Returns {wasm, assets: [{name, bytes}]}. */
 export async function loadFiles() {
   // scripts/assemble-page.mjs puts the list into the page; in the page of one file the addresses are data.
-  const { program, assets } = JSON.parse(document.getElementById("tanklab-files").textContent);
+  const { program, assets } = JSON.parse(byId("tanklab-files").textContent);
   const all = [program, ...assets];
   const total = all.reduce((sum, file) => sum + file.bytes, 0);
   const waiting = new Set(all);

@@ -18,6 +18,7 @@ function refuse(sentence) {
 }
 
 export class Program {
+  /** @type {import("tanklab").TanklabModule | null} */
   #module = null;
   #stopped = false;
   #printed = [];
@@ -159,7 +160,7 @@ export class Program {
   }
 
   #add({ name, bytes }) {
-    const module = this.#module;
+    const module = /** @type {import("tanklab").TanklabModule} */ (this.#module);
     const address = module._malloc(Math.max(1, bytes.length));
     if (!address) {
       throw new LoadFailure(

@@ -1,6 +1,6 @@
 // The button that copies the address of what is shown.
 import { copyText } from "../base/clipboard.js";
-import { element } from "../base/elements.js";
+import { byId, element } from "../base/elements.js";
 import { dismiss, notify } from "../base/notices.js";
 import { addressOf } from "./address.js";
 
@@ -8,7 +8,7 @@ const COPIED_MS = 1800;
 
 /** Joins the Share button. Where the page may not copy, the address is shown and selected instead. */
 export function joinShareButton(program) {
-  const button = document.getElementById("share");
+  const button = byId("share");
   const label = button.textContent;
   let timer = 0;
   button.onclick = async () => {

@@ -32,6 +32,7 @@ window.reading = async (files, rounds) => {
       return triangles;
     },
   };
+  /** @type {Record<string, number[]>} */
   const times = Object.fromEntries(Object.keys(readers).map((name) => [name, []]));
   const WARM_UP = 3;
   for (let round = 0; round < WARM_UP + rounds; ++round) {

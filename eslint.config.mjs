@@ -31,7 +31,7 @@ export default [
     },
   },
   { files: ["web/**", "tests/bench/page/**"], languageOptions: { globals: globals.browser } },
-  { files: ["scripts/**", "tests/layers/**"], languageOptions: { globals: globals.nodeBuiltin } },
+  { files: ["scripts/**", "tests/fuzz/**", "tests/layers/**"], languageOptions: { globals: globals.nodeBuiltin } },
   // What a test or a bench has the browser do stands in it.
   {
     files: ["tests/page/**", "scripts/bench*.mjs"],

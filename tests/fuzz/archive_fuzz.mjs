@@ -25,9 +25,11 @@ const options = {
 const paths = [];
 for (const argument of process.argv.slice(2)) {
   const [, name, value] = /^-(\w+)=(.*)$/s.exec(argument) ?? [];
-  if (name in options) options[name] = value;
-  else if (!name && fs.existsSync(argument)) paths.push(argument);
-  else {
+  if (name in options) {
+    options[name] = value;
+  } else if (!name && fs.existsSync(argument)) {
+    paths.push(argument);
+  } else {
     console.error(`archive_fuzz: '${argument}' is neither an option nor there`);
     process.exit(2);
   }
@@ -57,7 +59,9 @@ function fuzz(folders) {
   });
 
   const found = (kind, reason) => {
-    if (process.exitCode === 1) return;
+    if (process.exitCode === 1) {
+      return;
+    }
     process.exitCode = 1;
     const bytes = current.slice(0, progress[1]);
     const file = `${options.artifact_prefix}${kind}-${nameOf(bytes)}`;
@@ -66,22 +70,32 @@ function fuzz(folders) {
   };
   let [round, since] = [0, Date.now()];
   const watch = setInterval(() => {
-    if (round !== progress[0]) [round, since] = [progress[0], Date.now()];
-    else if (Date.now() - since > Number(options.timeout) * 1000) {
+    if (round !== progress[0]) {
+      [round, since] = [progress[0], Date.now()];
+    } else if (Date.now() - since > Number(options.timeout) * 1000) {
       found("timeout", `an archive is unpacked for more than ${options.timeout} seconds`);
       worker.terminate();
     }
   }, 500);
   worker.on("message", (bytes) => {
-    if (folders.length > 0) fs.writeFileSync(path.join(folders[0], nameOf(bytes)), bytes);
+    if (folders.length > 0) {
+      fs.writeFileSync(path.join(folders[0], nameOf(bytes)), bytes);
+    }
   });
-  worker.on("error", (error) => found(error.code === "ERR_WORKER_OUT_OF_MEMORY" ? "oom" : "crash", error.message));
+  worker.on("error", (error) =>
+    found("code" in error && error.code === "ERR_WORKER_OUT_OF_MEMORY" ? "oom" : "crash", error.message),
+  );
   worker.on("exit", (code) => {
     clearInterval(watch);
-    if (code !== 0) found("timeout", "unpacking an archive waits for what never comes");
+    if (code !== 0) {
+      found("timeout", "unpacking an archive waits for what never comes");
+    }
     console.log(`stat::number_of_executed_units: ${progress[0]}`);
   });
 }
 
-if (paths.length > 0 && paths.every((file) => fs.statSync(file).isFile())) await unpackOnce(paths);
-else fuzz(paths);
+if (paths.length > 0 && paths.every((file) => fs.statSync(file).isFile())) {
+  await unpackOnce(paths);
+} else {
+  fuzz(paths);
+}

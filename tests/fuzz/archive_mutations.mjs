@@ -21,8 +21,11 @@ const joined = (...parts) => new Uint8Array(Buffer.concat(parts));
 function headers(bytes) {
   const view = viewOf(bytes);
   const found = [];
-  for (let at = 0; at + 4 <= bytes.length; ++at)
-    if (bytes[at] === 0x50 && SIGNATURES.includes(view.getUint32(at, true))) found.push(at);
+  for (let at = 0; at + 4 <= bytes.length; ++at) {
+    if (bytes[at] === 0x50 && SIGNATURES.includes(view.getUint32(at, true))) {
+      found.push(at);
+    }
+  }
   return found;
 }
 
@@ -35,7 +38,9 @@ function overwrite(bytes, random) {
   const old = base + size <= bytes.length ? bytes[base] : 0;
   const value = random(3) === 0 ? old + random(9) - 4 : TELLING[random(TELLING.length)];
   const copy = bytes.slice();
-  for (let i = 0; i < size && base + i < copy.length; ++i) copy[base + i] = i < 4 ? value >>> (8 * i) : 0;
+  for (let i = 0; i < size && base + i < copy.length; ++i) {
+    copy[base + i] = i < 4 ? value >>> (8 * i) : 0;
+  }
   return copy;
 }
 
@@ -72,7 +77,8 @@ const WAYS = [
 /** Returns the archive damaged at one to four places. */
 export function damaged(bytes, random, other) {
   let result = bytes;
-  for (let i = 1 + random(4); i > 0 && result.length > 0; --i)
+  for (let i = 1 + random(4); i > 0 && result.length > 0; --i) {
     result = WAYS[random(WAYS.length)](result, random, other);
+  }
   return result;
 }

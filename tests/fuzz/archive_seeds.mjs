@@ -9,7 +9,8 @@ const many = Object.fromEntries(
   Array.from({ length: 120 }, (_, i) => [`part${i}.obj`, triangle.subarray(0, i % triangle.length)]),
 );
 
-/** What the archives hold: {path: bytes} for each, with how it is packed. */
+/** What the archives hold, and how each is packed.
+    @type {[Record<string, Uint8Array>, Parameters<typeof zipArchive>[1]][]} */
 const PACKED = [
   [tank, {}],
   [tank, { stored: true }],
@@ -32,6 +33,5 @@ const PACKED = [
   [{ "tankbody.obj": new Uint8Array(200_000) }, { comment: "PK\u0005\u0006 is no end" }],
 ];
 
-/** Returns [{entries, bytes, mayBeRefused}]. */
-export const seedArchives = () =>
-  PACKED.map(([entries, how]) => ({ entries, bytes: zipArchive(entries, how), mayBeRefused: how.zip64 === true }));
+/** Returns [{entries, bytes}]. */
+export const seedArchives = () => PACKED.map(([entries, how]) => ({ entries, bytes: zipArchive(entries, how) }));

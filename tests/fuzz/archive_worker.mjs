@@ -43,7 +43,9 @@ while (progress[0] < runs && performance.now() < until) {
   const input = damaged(bytes, random, other).slice(0, current.length);
   begin(input);
   const kind = kindOf(await check(input));
-  if (kinds.has(kind) || inputs.length >= LARGEST_CORPUS) continue;
+  if (kinds.has(kind) || inputs.length >= LARGEST_CORPUS) {
+    continue;
+  }
   kinds.add(kind);
   inputs.push(input);
   parentPort.postMessage(input);

@@ -3,23 +3,18 @@
 #include "base/quoted.h"
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <system_error>
 
-// tinyobjloader's parsers of single words are used, not its LoadObj or LoadObjWithCallback. Those read from
-// std::istream, whose locales add 47 KB gzipped to the web page, a third of its whole budget, against 2 KB
-// for these; they do not say on which line a fault is, cut a face of 256 vertices to 0, and do not continue
-// lines. So there is one walk over the text, ours, which decides what is wrong; tinyobjloader only converts
-// words that were found right. tests/mesh/tinyobjloader_test.cpp holds our result against LoadObj's.
-#define TINYOBJLOADER_IMPLEMENTATION
-#include <tiny_obj_loader.h>
+#include <fast_float/fast_float.h>
 
 namespace mesh {
 namespace {
 
 constexpr std::size_t MAX_WORD_LENGTH = 128; // a double printed with %f and 50 decimals fits
-constexpr int MAX_EXPONENT = 400;            // tinyobjloader's own arithmetic on exponents is safe far beyond
+constexpr int MAX_EXPONENT = 400;            // beyond what any double has
 constexpr std::size_t MAX_INDEX_DIGITS = 9;
 
 bool is_digit(char c)
@@ -158,8 +153,13 @@ Cause read_number(std::string_view word, float& value)
     if (Cause cause = check_number(word); !cause.empty()) {
         return cause;
     }
+    if (word[0] == '+') {
+        word.remove_prefix(1); // from_chars takes none
+    }
+    // As a double, since versions of fast_float differ in what they give for a float that is too small.
     double parsed = 0;
-    if (!tinyobj::tryParseDouble(word.data(), word.data() + word.size(), &parsed)) {
+    const auto [end, error] = fast_float::from_chars(word.data(), word.data() + word.size(), parsed);
+    if (end != word.data() + word.size() || error == std::errc::invalid_argument) {
         return malformed_number(word); // it accepts all that check_number does; a newer version may not
     }
     if (!(std::fabs(parsed) <= double(std::numeric_limits<float>::max()))) {
@@ -174,11 +174,17 @@ Cause read_corner(std::string_view word, WrittenCorner& corner)
     if (Cause cause = check_corner(word); !cause.empty()) {
         return cause;
     }
-    std::array<char, MAX_WORD_LENGTH + 1> terminated{};
-    std::copy(word.begin(), word.end(), terminated.begin());
-    const char* at = terminated.data();
-    const tinyobj::vertex_index_t indices = tinyobj::parseRawTriple(&at);
-    corner = {indices.v_idx, indices.vt_idx, indices.vn_idx};
+    corner = {};
+    std::size_t begin = 0;
+    for (int* index : {&corner.position, &corner.texture_coordinate, &corner.normal}) {
+        const std::size_t end = std::min(word.find('/', begin), word.size());
+        begin += word[begin] == '+' ? 1 : 0;                             // from_chars takes none
+        std::from_chars(word.data() + begin, word.data() + end, *index); // an empty one stays 0
+        if (end == word.size()) {
+            break;
+        }
+        begin = end + 1;
+    }
     return {};
 }
 

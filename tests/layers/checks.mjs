@@ -22,7 +22,7 @@ const BELOW_APP = ["assets", "image", ...THE_FIVE, "base"];
 const LAYERS = {
   base: { folders: [] },
   image: { folders: ["base"], headers: /^stb\/stb_image\.h$/ },
-  mesh: { folders: ["base"], headers: /^tiny_obj_loader\.h$/ },
+  mesh: { folders: ["base"], headers: /^fast_float\/fast_float\.h$/ },
   tank: { folders: ["base"] },
   collision: { folders: ["base"] },
   particles: { folders: ["base"] },

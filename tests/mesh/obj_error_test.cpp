@@ -151,7 +151,7 @@ TEST(ReadObjRefuses, ANumberOutsideFloatsRange)
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 -1e39"), "is outside the range"));
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 1e400"), "is outside the range"));
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 " + std::string(60, '9')), "is outside the range"));
-    // These two overflow an int in tinyobjloader, if they get that far.
+    // These two overflow an int.
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 1e2147483648"), "has an exponent outside the range"));
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 1e-2147483649"), "has an exponent outside the range"));
 }

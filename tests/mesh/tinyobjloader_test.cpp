@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <sstream>
-#include <tiny_obj_loader.h> // LoadObj itself is in the mesh library, beside the parsers that are taken from it
 
-// read_obj walks over the text itself and has tinyobjloader convert the words. Here the whole of
-// tinyobjloader reads the same texts: those that both accept must give the same.
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
+
+// tinyobjloader reads the same texts as read_obj: those that both accept must give the same.
 
 namespace {
 

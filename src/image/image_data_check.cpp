@@ -11,8 +11,8 @@ namespace {
 
 constexpr const char* cut_short = "the image is cut short; copy or save it again";
 
-/// What of a TGA header says where its pixels are. Truevision TGA File Format Specification 2.0, "TGA file
-/// header".
+/// The parts of a TGA header that say where its pixels are. Truevision TGA File Format Specification 2.0,
+/// "TGA file header".
 struct TgaHeader
 {
     static constexpr std::size_t SIZE = 18;

@@ -46,7 +46,7 @@ bool ObjStatements::at_line_end() const
     return at_ >= text_.size() || is_line_end(text_[at_]);
 }
 
-/// How long a continuation, a backslash and the line end after it, is here; 0: there is none.
+/// How long a continuation, a backslash and the line end after it, is here; 0 where there is no continuation.
 std::size_t ObjStatements::continuation_length() const
 {
     if (text_[at_] != '\\') {

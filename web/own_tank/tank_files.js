@@ -27,7 +27,7 @@ async function fetchUnzip() {
   try {
     return (await import("./unzip.js")).unzip;
   } catch {
-    // Firefox keeps the failure until the page is loaded anew.
+    // Firefox keeps the failure until the page is reloaded.
     throw new Error(
       "The part of the page that unpacks archives did not arrive. Check your connection and reload the page, or unpack the archive and drop the folder.",
     );

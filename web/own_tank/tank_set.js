@@ -3,11 +3,11 @@ import { baseName } from "./tank_files.js";
 
 const listed = (names) => (names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`);
 
-/** Returns `before` without what is there anew, and what is new. Two of one name among the new ones both stay:
+/** Returns `before` without what comes again, and what is new. Two of one name among the new ones both stay:
     the program tells whether they are the same. */
 function merged(before, files) {
-  const anew = new Set(files.map(({ name }) => baseName(name)));
-  return [...before.filter(({ name }) => !anew.has(baseName(name))), ...files];
+  const again = new Set(files.map(({ name }) => baseName(name)));
+  return [...before.filter(({ name }) => !again.has(baseName(name))), ...files];
 }
 
 export class TankSet {

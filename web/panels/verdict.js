@@ -16,7 +16,7 @@ export function verdictPlace() {
   return place;
 }
 
-/** Writes a verdict in words, or another text while there is none. */
+/** Writes a verdict in words, or another text before there is one. */
 export function showVerdict(place, passed, text = "") {
   const verdict = verdictOf(passed);
   place.className = `verdict ${verdict}`;

@@ -10,7 +10,7 @@ const RETURNS = { draw: "void", forget_files: "void", draw_calls: "number" }; //
 /** Tells whether an error came out of the WebAssembly module: a trap, an abort, a stack that ran over. */
 const isFromModule = (error) => error instanceof WebAssembly.RuntimeError || /wasm/i.test(error?.stack ?? "");
 
-/** Throws a sentence of the program as an error; the empty one is none. */
+/** Throws a sentence of the program as an error; an empty one means that all went well. */
 function refuse(sentence) {
   if (sentence) {
     throw new Error(sentence);

@@ -75,8 +75,8 @@ void add_hierarchy(std::vector<Fact>& facts, const Simulation& simulation)
     const collision::SphereHierarchy& spheres = simulation.spheres().hierarchy();
     facts.push_back({"Sphere around all parts' spheres", metres(spheres.root().radius)});
     facts.push_back({"Sphere of all vertices at rest", metres(spheres.whole().radius)});
-    facts.push_back({"Part spheres computed anew", std::to_string(spheres.refit_counts().parts)});
-    facts.push_back({"Root spheres computed anew", std::to_string(spheres.refit_counts().roots)});
+    facts.push_back({"Part spheres recomputed", std::to_string(spheres.refit_counts().parts)});
+    facts.push_back({"Root spheres recomputed", std::to_string(spheres.refit_counts().roots)});
 }
 
 void add_hits(std::vector<Fact>& facts, const Simulation& simulation)

@@ -14,7 +14,7 @@ struct DecomposedTriangle
 {
     std::uint32_t vertices[3];
     std::uint32_t edges;
-    bool begins_polygon; ///< The line stipple begins anew.
+    bool begins_polygon; ///< The line stipple restarts.
 };
 
 /// Cuts a primitive of count vertices into points, lines and triangles, calling point(i), line(i, j, begins)

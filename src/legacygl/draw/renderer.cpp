@@ -105,7 +105,7 @@ const ShaderKey& Renderer::use(const ShaderKey& key)
     if (!key_ || !(key == *key_)) {
         key_ = key;
         layout_ = TransformLayout(key);
-        changed_ |= change::everything; // The uniform arrays are laid out anew.
+        changed_ |= change::everything; // The uniform arrays have another layout.
         draw_state_.program = 0;
     }
     return *key_;

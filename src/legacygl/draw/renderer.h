@@ -15,7 +15,7 @@
 
 namespace legacygl {
 
-/// Turns state and vertices into draws of the backend, computing anew only what changed.
+/// Turns state and vertices into draws of the backend, recomputing only what changed.
 class Renderer
 {
 public:

@@ -9,7 +9,7 @@ using namespace legacygl;
 
 namespace {
 
-/// Returns the binding of a target, or null when it is none.
+/// Returns the binding of a target, or null when it is not one.
 GLuint* binding(Context& gl, GLenum target)
 {
     if (target == GL_ARRAY_BUFFER) {

@@ -11,7 +11,7 @@ using namespace legacygl;
 
 namespace {
 
-/// What of the frame buffer is copied.
+/// The part of the frame buffer that is copied.
 struct Source
 {
     GLint x, y;

@@ -11,7 +11,7 @@ using namespace legacygl;
 
 namespace {
 
-/// Colour indices become colours by the pixel maps, which there are none of yet.
+/// Colour indices become colours by pixel maps, which are not implemented yet.
 void refuse_color_indices()
 {
     LEGACYGL_REFUSE("a texture image of colour indices");

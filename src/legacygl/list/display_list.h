@@ -116,8 +116,8 @@ class ListStore
 {
 public:
     ListStore() { add_chunk(); }
-    /// Returns the list, or null. It stays until its name is put anew or erased, which no list that runs can
-    /// do: those commands are never compiled.
+    /// Returns the list, or null. It stays until its name is given another list or erased, which no list that
+    /// runs can do: those commands are never compiled.
     DisplayList* find(GLuint name)
     {
         const Place place = place_of(name);

@@ -41,7 +41,7 @@ void store(TextureImage& image, const TexelRectangle& part, std::span<const std:
     image.changed = true;
 }
 
-/// Makes the levels below the base one anew, their texels to be derived when they are needed.
+/// Recreates the levels below the base one; their texels are derived when they are needed.
 void derive_levels(Texture& texture)
 {
     const int base = texture.parameters.sampling.base_level;

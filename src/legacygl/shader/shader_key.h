@@ -10,7 +10,7 @@
 
 namespace legacygl {
 
-/// What of an enabled light changes the text of the shader.
+/// Light properties that affect the generated shader.
 struct LightKey
 {
     bool positional = false;
@@ -19,7 +19,7 @@ struct LightKey
     bool operator==(const LightKey&) const = default;
 };
 
-/// What of a texture unit changes the text of the shader.
+/// Properties of a texture unit that affect the generated shader.
 struct TextureKey
 {
     BaseFormat format = BaseFormat::none; ///< none: the unit draws without a texture.
@@ -73,7 +73,7 @@ constexpr int VIEWPORT_MARGIN = 256;
 /// The attribute that shaded vertices carry their point size (x) or coverage values in.
 constexpr Attribute SHADED_EXTRA = Attribute::normal;
 
-/// What of the state changes the text of the fixed-function shader; everything else is a uniform.
+/// The state that affects the generated fixed-function shader; everything else is a uniform.
 struct ShaderKey
 {
     bool lighting = false;

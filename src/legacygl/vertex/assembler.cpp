@@ -187,7 +187,7 @@ void VertexAssembler::widen(Attribute attribute, int components, glm::vec4 value
     const int i = index_of(attribute);
     const VertexFormat old = batch_.format;
     const bool is_new = !old.has(attribute);
-    const glm::vec4 before = (*current_)[i]; // A position is none.
+    const glm::vec4 before = (*current_)[i]; // A position is not a current value.
 
     int wanted = components;
     if (attribute == Attribute::normal) {

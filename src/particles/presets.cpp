@@ -202,14 +202,4 @@ const Preset& preset(PresetName name)
     return table()[static_cast<std::size_t>(name)];
 }
 
-std::optional<PresetName> preset_from_id(std::string_view id)
-{
-    for (const Preset& preset : table()) {
-        if (preset.id == id) {
-            return preset.name;
-        }
-    }
-    return std::nullopt;
-}
-
 } // namespace particles

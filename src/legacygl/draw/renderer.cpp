@@ -1,12 +1,11 @@
 #include "legacygl/draw/renderer.h"
 
-#include "legacygl/cpu_pipeline/outcodes.h"
+#include "legacygl/draw/es_limits.h"
 #include "legacygl/draw/quad_order.h"
 #include "legacygl/shader/shader_text.h"
 #include "legacygl/shader/shader_values.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace legacygl {
@@ -233,7 +232,7 @@ void Renderer::for_each_program(const State& state, std::uint32_t varying, std::
 
 void Renderer::draw(const State& state, const VertexBatch& batch)
 {
-    if (const std::optional<RasterWork> work = raster_work(state, batch, batch)) {
+    if (const std::optional<RasterWork> work = raster_work(state, backend_, batch, batch)) {
         return draw_shaded(state, batch, *work, false);
     }
     const std::span<const Primitive> primitives = batch.primitives;
@@ -259,7 +258,8 @@ void Renderer::draw_batch(const State& state, const VertexBatch& batch, std::spa
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
     const ListGeometry::Vertices& vertices = *geometry.vertices;
-    if (const std::optional<RasterWork> work = raster_work(state, geometry.traits, vertices.batch)) {
+    if (const std::optional<RasterWork> work =
+            raster_work(state, backend_, geometry.traits, vertices.batch)) {
         return draw_shaded(state, vertices.batch, *work, true);
     }
     if (!geometry.object.valid()) {
@@ -276,63 +276,6 @@ void Renderer::draw(const State& state, ListGeometry& geometry)
     const std::span<const DrawRun> runs = geometry.runs();
     for_each_program(state, geometry.traits.varying(true), runs.first(geometry.runs_of_one_color), draw);
     for_each_program(state, geometry.traits.varying(false), runs.subspan(geometry.runs_of_one_color), draw);
-}
-
-/// Returns whether no pixel of the target is outside the viewport. ES may cut points and lines off at the
-/// viewport's edge, and OpenGL does not.
-bool Renderer::viewport_holds_target(const State& state) const
-{
-    const std::array<GLint, 4>& v = state.transform.viewport;
-    return v[0] <= 0 && v[1] <= 0 && v[0] + v[2] >= backend_.target_width &&
-           v[1] + v[3] >= backend_.target_height;
-}
-
-/// Returns whether ES would draw less of the lines of a batch than OpenGL does: where they reach beyond the
-/// viewport, or where it does not cut those that leave the view.
-bool Renderer::loses_lines(const State& state, const VertexBatch& batch, bool beyond_viewport)
-{
-    if (!beyond_viewport && backend_.clips_lines()) {
-        return false;
-    }
-    const Outcodes outcodes(state.transform, batch);
-    const std::array<GLint, 4>& v = state.transform.viewport;
-    if (beyond_viewport && outcodes.any_along_a_side({v[2], v[3]})) {
-        return true;
-    }
-    return !backend_.clips_lines() && outcodes.any(0, batch.vertex_count, ClipVolume::SIDES);
-}
-
-/// Returns what ES cannot do itself for some of the primitives; nothing when it can do all. batch: the
-/// vertices that the traits are of.
-std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchTraits& traits,
-                                                const VertexBatch& batch)
-{
-    const RasterState& raster = state.raster;
-    const float line_width = std::floor(raster.line_width + 0.5f);
-    const bool beyond_viewport = !viewport_holds_target(state);
-    const RasterWork work{raster.unfilled() || raster.offsets_in_pipeline(),
-                          line_width > backend_.maximum_line_width, raster.line_smooth, raster.point_smooth,
-                          beyond_viewport};
-    const bool own_materials = state.lighting.enabled && traits.changes_materials;
-    const bool all =
-        state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
-        (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);
-    constexpr std::uint32_t POINTS = 1u << GL_POINTS,
-                            LINES = 1u << GL_LINES | 1u << GL_LINE_STRIP | 1u << GL_LINE_LOOP;
-    std::uint32_t needed = all ? ~0u : 0;
-    if (work.smooth_points || raster.point_parameters.attenuates() || beyond_viewport) {
-        needed |= POINTS;
-    }
-    if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples() ||
-        (beyond_viewport && line_width > 1)) {
-        needed |= LINES;
-    }
-    if (work.unfilled) {
-        needed |= ~(POINTS | LINES);
-    }
-    const bool does =
-        (traits.modes & needed) || ((traits.modes & LINES) && loses_lines(state, batch, beyond_viewport));
-    return does ? std::optional(work) : std::nullopt;
 }
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list)

@@ -159,7 +159,7 @@ test("a browser that cannot unpack is told so, and takes what is not packed", as
   try {
     await assert.rejects(
       open(deflated),
-      /^Error: This browser cannot unpack archives\. Unpack it yourself and drop the folder/,
+      /^Error: This browser cannot unpack archives\. Unpack the archive yourself and drop the folder/,
     );
     assert.equal((await open(stored)).length, 1);
   } finally {

@@ -36,7 +36,7 @@ function inflater() {
     return new DecompressionStream("deflate-raw");
   } catch {
     throw new Error(
-      "This browser cannot unpack archives. Unpack it yourself and drop the folder, or use a current Firefox, Chrome, Edge or Safari.",
+      "This browser cannot unpack archives. Unpack the archive yourself and drop the folder, or use a current Firefox, Chrome, Edge or Safari.",
     );
   }
 }

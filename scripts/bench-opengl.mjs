@@ -11,7 +11,7 @@ import os from "node:os";
 import path from "node:path";
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
-import { launch } from "../tests/page/harness.mjs";
+import { launch } from "../tests/page/browsers.mjs";
 import { serve } from "./serve.mjs";
 
 const PAGE = fileURLToPath(new URL("../build/web-build/tests/bench/page", import.meta.url));

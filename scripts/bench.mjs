@@ -12,7 +12,7 @@ import { execFileSync } from "node:child_process";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
-import { launch, SITE } from "../tests/page/harness.mjs";
+import { launch, SITE } from "../tests/page/browsers.mjs";
 import { measureOpenGl } from "./bench-opengl.mjs";
 import { measureReading } from "./bench-reading.mjs";
 import { serve } from "./serve.mjs";

@@ -28,7 +28,8 @@ const violations = (check, files) =>
   withTree(files, (root) => check(root).map(({ file, line, text }) => `${file}:${line}: ${text}`));
 
 const OBEYS = {
-  "src/mesh/a.cpp": '#include "mesh/a.h"\n#include <vector>\n#include <glm/glm.hpp>\n#include <fast_float/fast_float.h>\n',
+  "src/mesh/a.cpp":
+    '#include "mesh/a.h"\n#include <vector>\n#include <glm/glm.hpp>\n#include <fast_float/fast_float.h>\n',
   "src/tank/a.h": "#pragma once\n#include <cmath>\n/// The matrix of glRotate(angle, axis).\n",
   "src/app/commands/a.cpp":
     '#include "tank/a.h"\n#include "mesh/a.h"\n#include "lod/b.h"\n#include "app/state/a.h"\n#include "app/commands/b.h"\n',

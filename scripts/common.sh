@@ -65,16 +65,23 @@ use_emscripten() {
 }
 
 # Configures a preset where that is due, and builds it.
-#   build_preset PRESET FOLDER [arguments of cmake --build]
+#   build_preset PRESET FOLDER [-DOPTION=VALUE ...] [arguments of cmake --build]
 build_preset() {
     take_turn
-    local preset=$1 folder=$root/build/$2 log
+    local preset=$1 folder=$root/build/$2 log option options=() due=no
     shift 2
     use_emscripten
-    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/CMakeCache.txt ]]; then
+    [[ -f $folder/build.ninja && ! $root/CMakePresets.json -nt $folder/CMakeCache.txt ]] || due=yes
+    while [[ ${1-} == -D* ]]; do
+        option=${1#-D}
+        grep -qxE "${option%%=*}:[A-Z]+=${option#*=}" "$folder/CMakeCache.txt" 2>/dev/null || due=yes
+        options+=("$1")
+        shift
+    done
+    if [[ $due == yes ]]; then
         say "Configuring $preset ..."
         log=$root/build/configure-$preset.log
-        (cd "$root" && cmake --preset "$preset") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
+        (cd "$root" && cmake --preset "$preset" "${options[@]}") >"$log" 2>&1 </dev/null || { cat "$log" >&2 && return 1; }
     fi
     say "Building $preset ..."
     # Ninja's progress goes by line where it is no terminal: only what went wrong is of interest then.

@@ -67,6 +67,7 @@ async function press(page, fragment, code) {
     return tanklab.state();
   }, fragment);
   await page.keyboard.press(code);
+  await drawn(page); // sparks change the state, too: what counts is that a frame has taken the key
   await page.waitForFunction((revision) => tanklab.state().revision !== revision, {}, before.revision);
   return { before, after: await page.evaluate(() => tanklab.state()) };
 }

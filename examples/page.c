@@ -25,8 +25,9 @@ int main(void)
     attributes.stencil = EM_TRUE;
     emscripten_set_canvas_element_size("#canvas", WIDTH, HEIGHT);
     webgl = emscripten_webgl_create_context("#canvas", &attributes);
-    if (webgl > 0 && emscripten_webgl_make_context_current(webgl) == EMSCRIPTEN_RESULT_SUCCESS)
+    if (webgl > 0 && emscripten_webgl_make_context_current(webgl) == EMSCRIPTEN_RESULT_SUCCESS) {
         legacygl = legacygl_create(NULL, WIDTH, HEIGHT, LEGACYGL_TARGET_WINDOW);
+    }
     if (legacygl == NULL) {
         fprintf(stderr, "legacygl needs WebGL 2: %s\n", legacygl_last_message());
         return 1;

@@ -33,9 +33,11 @@ int main(int argc, char* argv[])
     set_up();
     for (; frames != 0; frames -= frames > 0) {
         SDL_Event event;
-        while (SDL_PollEvent(&event))
-            if (event.type == SDL_QUIT)
+        while (SDL_PollEvent(&event)) {
+            if (event.type == SDL_QUIT) {
                 frames = 1;
+            }
+        }
         draw(SDL_GetTicks() / 1000.0);
         legacygl_present(legacygl);
         SDL_GL_SwapWindow(window);

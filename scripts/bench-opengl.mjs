@@ -11,7 +11,7 @@ import os from "node:os";
 import path from "node:path";
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
-import { launch } from "../tests/page/harness.mjs";
+import { launch } from "../tests/page/browsers.mjs";
 import { serve } from "./serve.mjs";
 
 const PAGE = fileURLToPath(new URL("../build/web-build/tests/bench/page", import.meta.url));
@@ -28,9 +28,17 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 /** Stops where two programs that are compared draw something else: then they do not do the same. */
 function expectSame(what, one, other) {
   let off = 0;
-  for (let i = 0; i < one.length; i += 4) if ([0, 1, 2].some((channel) => Math.abs(one[i + channel] - other[i + channel]) > 32)) ++off;
-  if (off > 0.01 * (one.length / 4)) throw new Error(`${what}: ${off} pixels of what is compared differ`);
-  if (one.every((value, i) => value === one[i % 4])) throw new Error(`${what}: the picture is empty`);
+  for (let i = 0; i < one.length; i += 4) {
+    if ([0, 1, 2].some((channel) => Math.abs(one[i + channel] - other[i + channel]) > 32)) {
+      ++off;
+    }
+  }
+  if (off > 0.01 * (one.length / 4)) {
+    throw new Error(`${what}: ${off} pixels of what is compared differ`);
+  }
+  if (one.every((value, i) => value === one[i % 4])) {
+    throw new Error(`${what}: the picture is empty`);
+  }
 }
 
 /** Gives a function that tells the CPU time of the page's main thread so far, in milliseconds. */
@@ -38,11 +46,16 @@ async function threadClock(browser, page) {
   const session = await browser.target().createCDPSession();
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
   await page.evaluate(() => {
-    for (const end = performance.now() + 200; performance.now() < end; );
+    const end = performance.now() + 200;
+    while (performance.now() < end) {
+      // so that the thread has been the busiest
+    }
   });
   const after = (await session.send("SystemInfo.getProcessInfo")).processInfo;
   const used = (process) => process.cpuTime - (processInfo.find(({ id }) => id === process.id)?.cpuTime ?? 0);
-  const busiest = after.filter(({ type }) => type === "renderer").reduce((one, other) => (used(one) > used(other) ? one : other));
+  const busiest = after
+    .filter(({ type }) => type === "renderer")
+    .reduce((one, other) => (used(one) > used(other) ? one : other));
   return () => Number(fs.readFileSync(`/proc/${busiest.id}/task/${busiest.id}/schedstat`, "utf8").split(" ")[0]) / 1e6;
 }
 
@@ -50,7 +63,7 @@ async function threadClock(browser, page) {
 async function measureBatches(page, clock, names) {
   const batch = async (name, draws) => {
     const before = clock();
-    await page.evaluate((...given) => run(...given), name, BATCH, draws);
+    await page.evaluate((which, frames, wanted) => window.run(which, frames, wanted), name, BATCH, draws);
     return clock() - before;
   };
   const times = Object.fromEntries(names.map((name) => [name, []]));
@@ -58,7 +71,9 @@ async function measureBatches(page, clock, names) {
     for (const name of names) {
       const waiting = await batch(name, false);
       const time = (await batch(name, true)) - waiting;
-      if (i >= WARM_UP_BATCHES) times[name].push(time / BATCH);
+      if (i >= WARM_UP_BATCHES) {
+        times[name].push(time / BATCH);
+      }
     }
   }
   return times;
@@ -72,7 +87,7 @@ async function measurePage(browserName) {
     page.setDefaultTimeout(PAGE_TIMEOUT);
     await page.goto(server.url);
     await page.waitForFunction("window.pictures");
-    const pictures = await page.evaluate("pictures()");
+    const pictures = await page.evaluate(() => window.pictures());
     expectSame("immediate mode", pictures.immediate, pictures.emulation);
     expectSame("display lists", pictures.lists, pictures.by_hand);
     return await measureBatches(page, await threadClock(browser, page), Object.keys(pictures));
@@ -84,11 +99,17 @@ async function measurePage(browserName) {
 
 // Whether freed memory at the heap's end goes back to the kernel after each frame, to be faulted in for the next, is
 // the luck of what lies there. It made either side up to a quarter slower; here none gives any back.
-const KEEP_MEMORY = { ...process.env, GLIBC_TUNABLES: "glibc.malloc.trim_threshold=268435456:glibc.malloc.mmap_threshold=268435456" };
+const KEEP_MEMORY = {
+  ...process.env,
+  GLIBC_TUNABLES: "glibc.malloc.trim_threshold=268435456:glibc.malloc.mmap_threshold=268435456",
+};
 
 /** Runs a native program. Gives the numbers it prints. */
 function runNative(renderer, ...given) {
-  const text = execFileSync(path.join(NATIVE, `opengl_bench_${renderer}`), given, { encoding: "utf8", env: KEEP_MEMORY });
+  const text = execFileSync(path.join(NATIVE, `opengl_bench_${renderer}`), given, {
+    encoding: "utf8",
+    env: KEEP_MEMORY,
+  });
   return text.trim().split("\n").map(Number);
 }
 
@@ -109,13 +130,22 @@ function comparePictures(program) {
 export async function measureOpenGl(rounds, say) {
   const rows = [];
   const add = (name, ours, other, others, target) =>
-    rows.push({ name, ours_ms: median(ours), other, other_ms: median(others), ratio: median(ours) / median(others), target });
+    rows.push({
+      name,
+      ours_ms: median(ours),
+      other,
+      other_ms: median(others),
+      ratio: median(ours) / median(others),
+      target,
+    });
 
   for (const [renderer, browser] of Object.entries(BROWSERS)) {
     const times = { immediate: [], emulation: [], lists: [], by_hand: [] };
     for (let round = 0; round < rounds; ++round) {
       say(`OpenGL, round ${round + 1} of ${rounds}: Chromium (${renderer})`);
-      for (const [name, values] of Object.entries(await measurePage(browser))) times[name].push(median(values));
+      for (const [name, values] of Object.entries(await measurePage(browser))) {
+        times[name].push(median(values));
+      }
     }
     add(`immediate, Chromium (${renderer})`, times.immediate, "Emscripten", times.emulation, 0.1);
     add(`lists, Chromium (${renderer})`, times.lists, "WebGL by hand", times.by_hand, 1.25);
@@ -126,8 +156,9 @@ export async function measureOpenGl(rounds, say) {
     const times = { emulated: [], reference: [] };
     for (let round = 0; round < 2 * rounds; ++round) {
       say(`OpenGL, round ${round + 1} of ${2 * rounds}: ${program}, native`);
-      for (const renderer of round % 2 ? ["emulated", "reference"] : ["reference", "emulated"])
+      for (const renderer of round % 2 ? ["emulated", "reference"] : ["reference", "emulated"]) {
         times[renderer].push(median(runNative(renderer, program, String(FRAMES))));
+      }
     }
     add(`${program}, native`, times.emulated, "Mesa", times.reference, 1);
   }
@@ -138,7 +169,9 @@ export async function measureOpenGl(rounds, say) {
     for (const renderer of Object.keys(lists).slice(0, 2)) {
       const numbers = runNative(renderer, "compile", "5");
       lists[renderer].push(median(numbers.filter((_, i) => i % 2 === 0)));
-      if (renderer === "emulated") lists.copy.push(median(numbers.filter((_, i) => i % 2 === 1)));
+      if (renderer === "emulated") {
+        lists.copy.push(median(numbers.filter((_, i) => i % 2 === 1)));
+      }
     }
   }
   add("compile 100,000 triangles", lists.emulated, "Mesa", lists.reference, null);

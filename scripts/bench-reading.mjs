@@ -4,7 +4,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import esbuild from "esbuild";
-import { launch } from "../tests/page/harness.mjs";
+import { launch } from "../tests/page/browsers.mjs";
 import { serve } from "./serve.mjs";
 
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
@@ -19,8 +19,14 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 export async function measureReading(say) {
   say("reading OBJ files: Chromium");
   const bundled = path.join(PAGE, "reading.bundle.js");
-  await esbuild.build({ entryPoints: [path.join(ROOT, "tests/bench/page/reading.js")], bundle: true, outfile: bundled, logLevel: "warning" });
+  await esbuild.build({
+    entryPoints: [path.join(ROOT, "tests/bench/page/reading.js")],
+    bundle: true,
+    outfile: bundled,
+    logLevel: "warning",
+  });
   const files = fs.readdirSync(OBJECTS).filter((name) => name.endsWith(".obj"));
+  /** @type {[string, string][]} */
   const texts = files.map((name) => [name, fs.readFileSync(path.join(OBJECTS, name), "utf8")]);
   const server = await serve(PAGE, { isolated: true });
   const browser = await launch("chromium");

@@ -12,7 +12,7 @@ import { execFileSync } from "node:child_process";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
-import { launch, SITE } from "../tests/page/harness.mjs";
+import { launch, SITE } from "../tests/page/browsers.mjs";
 import { measureOpenGl } from "./bench-opengl.mjs";
 import { measureReading } from "./bench-reading.mjs";
 import { serve } from "./serve.mjs";
@@ -50,7 +50,9 @@ function observe() {
     prototype[name] = function (...values) {
       original.apply(this, values);
       // The frame is over when its task is. From then on nothing of this is in the way.
-      for (const [each, function_] of originals) prototype[each] = function_;
+      for (const [each, function_] of originals) {
+        prototype[each] = function_;
+      }
       queueMicrotask(() => (seen.firstFrame = performance.now()));
     };
   }
@@ -61,9 +63,13 @@ function observe() {
     request((time) => {
       const start = performance.now();
       callback(time);
-      if (!seen.recording) return;
+      if (!seen.recording) {
+        return;
+      }
       // Callbacks of one frame share its time.
-      if (time !== lastTime) seen.frames.push(0);
+      if (time !== lastTime) {
+        seen.frames.push(0);
+      }
       lastTime = time;
       seen.frames[seen.frames.length - 1] += performance.now() - start;
     });
@@ -77,10 +83,13 @@ async function measure(variant, server) {
     await page.evaluateOnNewDocument(observe);
     await page.goto(variant.file ? pathToFileURL(path.join(SITE, variant.file)).href : server.url);
     await page.waitForFunction("window.tanklab && window.tanklabBench.firstFrame !== null", { timeout: FRAME_TIMEOUT });
-    const firstFrame = await page.evaluate("tanklabBench.firstFrame");
-    await page.evaluate("tanklab.ready.then(() => { tanklab.command('turret_left', 1); tanklabBench.recording = true; })");
+    const firstFrame = await page.evaluate(() => window.tanklabBench.firstFrame);
+    await page.evaluate(
+      "tanklab.ready.then(() => { tanklab.command('turret_left', 1); tanklabBench.recording = true; })",
+    );
     await page.waitForFunction(`tanklabBench.frames.length >= ${WARM_UP_FRAMES + FRAMES}`, { timeout: FRAME_TIMEOUT });
-    const frames = (await page.evaluate("tanklabBench.frames")).slice(WARM_UP_FRAMES, WARM_UP_FRAMES + FRAMES);
+    const recorded = await page.evaluate(() => window.tanklabBench.frames);
+    const frames = recorded.slice(WARM_UP_FRAMES, WARM_UP_FRAMES + FRAMES);
     return { firstFrame, frame: quantile(frames, 0.5), slowFrame: quantile(frames, 0.95) };
   } finally {
     await browser.close();
@@ -110,7 +119,9 @@ function measureSizes() {
 
 function commit() {
   try {
-    return execFileSync("git", ["-C", path.dirname(OUTPUT), "describe", "--always", "--dirty"], { encoding: "utf8" }).trim();
+    return execFileSync("git", ["-C", path.dirname(OUTPUT), "describe", "--always", "--dirty"], {
+      encoding: "utf8",
+    }).trim();
   } catch {
     return null;
   }
@@ -123,13 +134,18 @@ function row(name, ...cells) {
 async function main() {
   const { values } = parseArgs({ options: { rounds: { type: "string", default: "5" } } });
   const rounds = Number(values.rounds);
-  if (!Number.isInteger(rounds) || rounds < 1) throw new Error(`--rounds wants a whole number from 1 on, not '${values.rounds}'`);
+  if (!Number.isInteger(rounds) || rounds < 1) {
+    throw new Error(`--rounds wants a whole number from 1 on, not '${values.rounds}'`);
+  }
 
   const sizes = measureSizes();
   const count = (bytes) => bytes.toLocaleString("en");
   row("size", "bytes", "gzipped");
-  for (const { name, bytes, gzipped } of sizes) row(name, count(bytes), count(gzipped));
-  const sum = (key) => sizes.filter(({ name }) => name === "program" || name === "script").reduce((total, size) => total + size[key], 0);
+  for (const { name, bytes, gzipped } of sizes) {
+    row(name, count(bytes), count(gzipped));
+  }
+  const sum = (key) =>
+    sizes.filter(({ name }) => name === "program" || name === "script").reduce((total, size) => total + size[key], 0);
   row("program and script", count(sum("bytes")), count(sum("gzipped")));
 
   // The finest clock a page can have needs these headers; nothing else depends on them.
@@ -144,8 +160,17 @@ async function main() {
   await server.close();
 
   const times = VARIANTS.map(({ name }, index) => {
-    const median = (key) => quantile(runs[index].map((run) => run[key]), 0.5);
-    return { name, first_frame_ms: median("firstFrame"), frame_cpu_ms: median("frame"), frame_cpu_95_ms: median("slowFrame") };
+    const median = (key) =>
+      quantile(
+        runs[index].map((run) => run[key]),
+        0.5,
+      );
+    return {
+      name,
+      first_frame_ms: median("firstFrame"),
+      frame_cpu_ms: median("frame"),
+      frame_cpu_95_ms: median("slowFrame"),
+    };
   });
   console.log();
   row(`time (median of ${rounds})`, "first frame", "frame, CPU", "95 % below");
@@ -157,9 +182,24 @@ async function main() {
   console.log();
   row("compared (medians)", "ours", "", "other", "ratio", "target");
   for (const { name, ours_ms, other, other_ms, ratio, target } of compared) {
-    row(name, `${ours_ms.toFixed(3)} ms`, other, `${other_ms.toFixed(3)} ms`, ratio.toFixed(2), target === null ? "" : `at most ${target}`);
+    row(
+      name,
+      `${ours_ms.toFixed(3)} ms`,
+      other,
+      `${other_ms.toFixed(3)} ms`,
+      ratio.toFixed(2),
+      target === null ? "" : `at most ${target}`,
+    );
   }
-  const result = { date: new Date().toISOString(), commit: commit(), cpu: os.cpus()[0]?.model, rounds, sizes, times, compared };
+  const result = {
+    date: new Date().toISOString(),
+    commit: commit(),
+    cpu: os.cpus()[0]?.model,
+    rounds,
+    sizes,
+    times,
+    compared,
+  };
   fs.writeFileSync(OUTPUT, `${JSON.stringify(result, null, 2)}\n`);
   console.log("\nwritten to build/bench.json");
 }

@@ -40,13 +40,19 @@ function fileFor(folder, requestPath) {
   } catch {
     return null;
   }
-  if (decoded.includes("\0")) return null;
+  if (decoded.includes("\0")) {
+    return null;
+  }
   let file = path.join(folder, decoded);
   try {
-    if (fs.statSync(file).isDirectory()) file = path.join(file, "index.html");
+    if (fs.statSync(file).isDirectory()) {
+      file = path.join(file, "index.html");
+    }
     // Links are followed before the comparison: one that points out of the folder is outside.
     file = fs.realpathSync(file);
-    if (!fs.statSync(file).isFile()) return null;
+    if (!fs.statSync(file).isFile()) {
+      return null;
+    }
   } catch {
     return null;
   }
@@ -63,12 +69,17 @@ function answer(folder, isolated, request, response) {
     response.writeHead(status, { ...headers, "Content-Type": "text/plain; charset=utf-8" });
     response.end(request.method === "HEAD" ? undefined : `${text}\n`);
   };
-  if (request.method !== "GET" && request.method !== "HEAD") return refuse(405, "Only GET and HEAD");
+  if (request.method !== "GET" && request.method !== "HEAD") {
+    return refuse(405, "Only GET and HEAD");
+  }
   const requestPath = request.url.replace(/[?#].*$/s, "");
   const file = requestPath.startsWith("/") ? fileFor(folder, requestPath) : null;
-  if (!file) return refuse(404, "There is no such file here");
+  if (!file) {
+    return refuse(404, "There is no such file here");
+  }
 
   const extension = path.extname(file).toLowerCase();
+  /** @type {Buffer} */
   let bytes = fs.readFileSync(file);
   headers["Content-Type"] = TYPES[extension] ?? "application/octet-stream";
   if (!COMPRESSED_ALREADY.has(extension)) {
@@ -105,10 +116,12 @@ export async function serve(folder, { port = 0, isolated = false } = {}) {
       break;
     } catch (error) {
       const another = error.code === "EADDRINUSE" && port !== 0 && next < Math.min(port + PORTS_TRIED, 65535);
-      if (!another) throw new Error(`port ${next} cannot be had (${error.code}); --port names another one`);
+      if (!another) {
+        throw new Error(`port ${next} cannot be had (${error.code}); --port names another one`);
+      }
     }
   }
-  const actual = server.address().port;
+  const { port: actual } = /** @type {import("node:net").AddressInfo} */ (server.address());
   const close = () =>
     new Promise((resolve) => {
       server.close(resolve);
@@ -124,10 +137,16 @@ async function main() {
   });
   const folder = positionals[0] ?? fileURLToPath(new URL("../build/web", import.meta.url));
   const port = Number(values.port);
-  if (!Number.isInteger(port) || port < 0 || port > 65535) throw new Error(`'${values.port}' is no port: 0 to 65535`);
-  if (!fs.existsSync(folder)) throw new Error(`there is no folder ${folder}`);
+  if (!Number.isInteger(port) || port < 0 || port > 65535) {
+    throw new Error(`'${values.port}' is no port: 0 to 65535`);
+  }
+  if (!fs.existsSync(folder)) {
+    throw new Error(`there is no folder ${folder}`);
+  }
   const server = await serve(folder, { port, isolated: values.isolated });
-  if (port !== 0 && server.port !== port) console.log(`Port ${port} is taken; using ${server.port}.`);
+  if (port !== 0 && server.port !== port) {
+    console.log(`Port ${port} is taken; using ${server.port}.`);
+  }
   console.log(`Tank Lab is at ${server.url} (Ctrl-C stops it)`);
   for (const signal of ["SIGINT", "SIGTERM"]) {
     process.on(signal, () => server.close().then(() => process.exit(0)));

@@ -1,23 +1,24 @@
 // Loads the program, starts it in the state that the address describes, and joins it to the page.
-import { followAddress } from "./address.js";
-import { lightHeld } from "./command_button.js";
-import { LoadFailure, showFailure } from "./failure.js";
-import { followFocus } from "./focus.js";
-import { showHits } from "./hits_panel.js";
-import { readKeyboardLayout } from "./key_labels.js";
-import { showKeys } from "./keys_panel.js";
-import { hideProgress, loadFiles, showProgress } from "./load.js";
-import { dismiss, notify } from "./notices.js";
-import { joinOwnTank } from "./own_tank.js";
-import { namePanes } from "./pane_names.js";
-import { joinPanels } from "./panels.js";
-import { Program } from "./program.js";
-import { joinShareButton } from "./share.js";
-import { followStatus } from "./status_line.js";
-import { showTasks } from "./tasks_panel.js";
-import { showValues } from "./values_panel.js";
+import { byId } from "./base/elements.js";
+import { dismiss, notify } from "./base/notices.js";
+import { lightHeld } from "./controls/command_button.js";
+import { readKeyboardLayout } from "./controls/key_labels.js";
+import { joinOwnTank } from "./own_tank/own_tank.js";
+import { showHits } from "./panels/hits_panel.js";
+import { showKeys } from "./panels/keys_panel.js";
+import { joinPanels } from "./panels/panels.js";
+import { showTasks } from "./panels/tasks_panel.js";
+import { showValues } from "./panels/values_panel.js";
+import { followFocus } from "./picture/focus.js";
+import { namePanes } from "./picture/pane_names.js";
+import { followStatus } from "./picture/status_line.js";
+import { followAddress } from "./program/address.js";
+import { LoadFailure, showFailure } from "./program/failure.js";
+import { hideProgress, loadFiles, showProgress } from "./program/load.js";
+import { Program } from "./program/program.js";
+import { joinShareButton } from "./program/share.js";
 
-const canvas = document.getElementById("canvas");
+const canvas = byId("canvas");
 const bare = new URLSearchParams(location.search).get("overlays") === "0"; // for pictures that are compared
 document.body.classList.toggle("bare", bare);
 
@@ -36,7 +37,9 @@ function requireWebGl2() {
 /** Notes what takes how long, for scripts/bench, and lets people see the picture and use it. */
 function reveal() {
   performance.mark("tanklab-first-frame");
-  for (const element of document.querySelectorAll("[inert]")) element.inert = false;
+  for (const element of document.querySelectorAll("[inert]")) {
+    element.removeAttribute("inert");
+  }
   document.body.classList.replace("loading", "ready");
   hideProgress();
   canvas.focus({ preventScroll: true });

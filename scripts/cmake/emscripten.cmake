@@ -39,7 +39,6 @@ foreach(language C CXX)
 endforeach()
 set(CMAKE_FIND_ROOT_PATH "${tanklab_web_dependencies}")
 set(SDL2_DIR "${tanklab_web_dependencies}/lib" CACHE PATH "SDL2 for the web")
-set(glm_DIR "${tanklab_web_dependencies}/lib" CACHE PATH "GLM for the web")
 
 get_filename_component(tanklab_emcc "${TANKLAB_EMCC}" REALPATH)
 get_filename_component(EMSCRIPTEN_ROOT_PATH "${tanklab_emcc}" DIRECTORY)

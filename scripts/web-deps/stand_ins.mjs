@@ -18,7 +18,9 @@ function importedFunctions(bytes) {
     let value = 0;
     for (let shift = 0; ; shift += 7) {
       value |= (bytes[at] & 0x7f) << shift;
-      if (bytes[at++] < 0x80) return value;
+      if (bytes[at++] < 0x80) {
+        return value;
+      }
     }
   };
   const list = (each) => Array.from({ length: number() }, each);
@@ -27,26 +29,40 @@ function importedFunctions(bytes) {
     return bytes.toString("utf8", at, (at += length));
   };
   const functionType = () => {
-    if (bytes[at++] !== 0x60) throw new Error("there is a type that is no function's");
+    if (bytes[at++] !== 0x60) {
+      throw new Error("there is a type that is no function's");
+    }
     return { parameters: list(number), results: list(number) };
   };
   const limits = () => {
     const flags = number();
-    for (let i = 0; i <= (flags & 1); ++i) number();
+    for (let i = 0; i <= (flags & 1); ++i) {
+      number();
+    }
   };
-  const rest = { 1: () => (number(), limits()), 2: limits, 3: () => (number(), number()), 4: () => (number(), number()) };
+  const rest = {
+    1: () => (number(), limits()),
+    2: limits,
+    3: () => (number(), number()),
+    4: () => (number(), number()),
+  };
   let types = [];
   const functions = new Map();
   while (at < bytes.length) {
     const section = bytes[at++];
     const end = number() + at;
-    if (section === TYPES) types = list(functionType);
+    if (section === TYPES) {
+      types = list(functionType);
+    }
     if (section === IMPORTS) {
       list(() => {
         const name = (text(), text());
         const kind = number();
-        if (kind === 0) functions.set(name, types[number()]);
-        else rest[kind]();
+        if (kind === 0) {
+          functions.set(name, types[number()]);
+        } else {
+          rest[kind]();
+        }
       });
     }
     at = end;
@@ -57,7 +73,9 @@ function importedFunctions(bytes) {
 function written(name, { parameters, results }) {
   const types = parameters.map((type) => C_TYPES[type]);
   const result = results.length === 0 ? "void" : C_TYPES[results[0]];
-  if (results.length > 1 || [result, ...types].includes(undefined)) throw new Error(`${name} has a type that C has not`);
+  if (results.length > 1 || [result, ...types].includes(undefined)) {
+    throw new Error(`${name} has a type that C has not`);
+  }
   const list = types.map((type, i) => `${type} p${i}`).join(", ") || "void";
   const body = result === "void" ? "" : ` SDL_SetError("${name} is not part of the page's SDL2"); return 0; `;
   return `${result} ${name}(${list}) {${body}}`;
@@ -73,4 +91,6 @@ if (missing.length === 0 || strangers.length > 0) {
   process.exit(1);
 }
 console.log("int SDL_SetError(const char* format, ...);");
-for (const name of missing) console.log(written(name, functions.get(name)));
+for (const name of missing) {
+  console.log(written(name, functions.get(name)));
+}

@@ -18,7 +18,7 @@ constexpr double HELD = 0.02;
 /// A fit loses what is smaller than the triangle, and an eye sees the lack of contrast before it sees a patch
 /// in a wrong place. So the corners differ more than the fit has it: in lightness as much as what was seen
 /// does, but at most so many times; in hue so many times, as patches of camouflage are large.
-constexpr double MOST_STRETCHED = 3.0;
+constexpr double MAX_STRETCH = 3.0;
 constexpr double HUE_STRETCHED = 1.4;
 
 /// How light red, green and blue are: ITU-R BT.709.
@@ -66,7 +66,7 @@ double CornerFit::stretch(const glm::dmat3& off) const
     const glm::dvec3 lighter = LIGHTNESS * off;
     const double fitted = glm::dot(lighter, parts_ * lighter) / weight_;
     const double rounding = 1e-9;
-    return fitted > rounding ? std::clamp(std::sqrt(std::max(seen, 0.0) / fitted), 1.0, MOST_STRETCHED) : 1.0;
+    return fitted > rounding ? std::clamp(std::sqrt(std::max(seen, 0.0) / fitted), 1.0, MAX_STRETCH) : 1.0;
 }
 
 } // namespace assets

@@ -17,14 +17,14 @@ namespace {
 
 /// Faces are looked at every so many metres of their edges.
 constexpr float SAMPLE_DISTANCE = 0.2f;
-constexpr int MOST_SAMPLES_ALONG_AN_EDGE = 24;
+constexpr int MAX_SAMPLES_ALONG_AN_EDGE = 24;
 
 /// How high the window is for which the low tank is painted. Pixels.
 constexpr double WINDOW_HEIGHT = 800.0;
 
 /// Of a mesh of more faces, only so many are looked at, spread evenly.
-constexpr std::size_t MOST_HIGH_FACES = 20'000;
-constexpr std::size_t MOST_LOW_FACES = 1'000;
+constexpr std::size_t MAX_HIGH_FACES = 20'000;
+constexpr std::size_t MAX_LOW_FACES = 1'000;
 
 /// As far away as a face that looks a right angle off counts one that looks the same way. Metres.
 constexpr double FAR_AS_A_RIGHT_ANGLE = 0.3;
@@ -101,7 +101,7 @@ void add_samples(const mesh::ObjMesh& obj, const mesh::Face& face, const Mipmap&
         std::max({glm::distance(triangle.a, triangle.b), glm::distance(triangle.b, triangle.c),
                   glm::distance(triangle.c, triangle.a)});
     const int cuts = static_cast<int>(
-        std::clamp(longest / SAMPLE_DISTANCE, 1.0f, static_cast<float>(MOST_SAMPLES_ALONG_AN_EDGE)));
+        std::clamp(longest / SAMPLE_DISTANCE, 1.0f, static_cast<float>(MAX_SAMPLES_ALONG_AN_EDGE)));
     const float part = 1.0f / static_cast<float>(cuts);
     const glm::vec2 at_a = texture_coordinate_of(obj, face.vertices[0]);
     const glm::vec2 at_b = texture_coordinate_of(obj, face.vertices[1]);
@@ -156,7 +156,7 @@ std::vector<Sample> samples_of(const mesh::ObjMesh& obj, const image::Image& ima
 {
     const Mipmap texture = as_seen(obj, image, view);
     std::vector<Sample> samples;
-    const std::size_t step = 1 + obj.faces.size() / MOST_HIGH_FACES;
+    const std::size_t step = 1 + obj.faces.size() / MAX_HIGH_FACES;
     for (std::size_t face = 0; face < obj.faces.size(); face += step) {
         add_samples(obj, obj.faces[face], texture, samples);
     }
@@ -249,7 +249,7 @@ std::vector<FacePaint> paint_of(const mesh::ObjMesh& low, const mesh::ObjMesh& h
 {
     const std::vector<Sample> samples = samples_of(high, texture, view);
     const std::vector<Target> targets =
-        low.faces.size() <= MOST_LOW_FACES ? targets_of(low) : std::vector<Target>{};
+        low.faces.size() <= MAX_LOW_FACES ? targets_of(low) : std::vector<Target>{};
     Mean whole;
     std::vector<CornerFit> fits(low.faces.size());
     for (const Sample& sample : samples) {

@@ -14,10 +14,10 @@ namespace assets {
 
 namespace {
 
-constexpr std::size_t LEAST_LINKS = 3;
+constexpr std::size_t MIN_LINKS = 3;
 
 /// Links that face opposite ways have no normal between.
-constexpr double SHORTEST_NORMAL = 1e-6;
+constexpr double MIN_NORMAL_LENGTH = 1e-6;
 
 /// Says which link of which chain a group is.
 struct LinkName
@@ -67,7 +67,7 @@ std::map<std::string_view, Chain> chains_of(const mesh::ObjMesh& body)
 bool is_whole(const Chain& chain)
 {
     const auto count = static_cast<int>(chain.links.size());
-    return !chain.has_doubles && chain.links.size() >= LEAST_LINKS &&
+    return !chain.has_doubles && chain.links.size() >= MIN_LINKS &&
            chain.links.rbegin()->first == count - 1 &&
            std::all_of(chain.links.begin(), chain.links.end(), [&](const auto& link) {
                return link.second->face_count == chain.links.begin()->second->face_count;
@@ -221,7 +221,7 @@ mesh::ObjMesh moved_links(const mesh::ObjMesh& body, const TrackLinks& links, Si
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const glm::dvec3 normal =
                 on_spline(face, weights, [&](int of) { return normal_of(body, of, corner); });
-            const bool has_direction = glm::dot(normal, normal) > SHORTEST_NORMAL * SHORTEST_NORMAL;
+            const bool has_direction = glm::dot(normal, normal) > MIN_NORMAL_LENGTH * MIN_NORMAL_LENGTH;
             writer.add_corner(on_spline(face, weights, [&](int of) { return position_of(body, of, corner); }),
                               has_direction ? normal : normal_of(body, face.here, corner),
                               corner_of(body, face.here, corner).texture_coordinate);

@@ -22,10 +22,10 @@ using tank::MeshKind;
 using Meshes = std::array<mesh::ObjMesh, tank::MESH_KIND_COUNT>;
 
 /// No part reaches further from its mesh's origin, in metres: a hundred hulls.
-constexpr double FURTHEST_CORNER = 1000.0;
+constexpr double MAX_CORNER_DISTANCE = 1000.0;
 
 /// No hull is scaled by more than this, either way, and none by less than what files round to.
-constexpr double LARGEST_SCALE = 1e6;
+constexpr double MAX_SCALE = 1e6;
 constexpr double ROUNDING = 1e-6;
 
 /// What a tank without a texture is painted with.
@@ -90,7 +90,7 @@ std::string_view scale_meshes(Meshes& meshes, lod::Level level, double scale)
         for (glm::vec3& position : meshes[i].positions) {
             const glm::dvec3 metres = glm::dvec3(position) * scale;
             for (int axis = 0; axis < 3; ++axis) {
-                if (!(std::abs(metres[axis]) <= FURTHEST_CORNER)) {
+                if (!(std::abs(metres[axis]) <= MAX_CORNER_DISTANCE)) {
                     return mesh_files()[tank::MESH_KIND_COUNT * static_cast<std::size_t>(level) + i].name;
                 }
             }
@@ -106,7 +106,7 @@ std::string scale_to_our_hull(Assets& assets, std::string& file)
     const double length = tank::length_of(tank::box_of(boxes_of(assets.high), MeshKind::body));
     const double ours = tank::length_of(tank::box_of(tank::default_boxes(), MeshKind::body));
     assets.scale = ours / length;
-    if (!(assets.scale >= 1.0 / LARGEST_SCALE && assets.scale <= LARGEST_SCALE)) {
+    if (!(assets.scale >= 1.0 / MAX_SCALE && assets.scale <= MAX_SCALE)) {
         file = mesh_files()[0].name;
         return "the body's length along Z, the direction of the gun, is " +
                std::string(length > 1.0 ? "far too large" : "nothing or next to it") +
@@ -119,7 +119,7 @@ std::string scale_to_our_hull(Assets& assets, std::string& file)
         Meshes& meshes = level == lod::Level::high ? assets.high : assets.low;
         if (const std::string_view name = scale_meshes(meshes, level, assets.scale); !name.empty()) {
             file = name;
-            return "the part lies more than " + base::in_metres(FURTHEST_CORNER) +
+            return "the part lies more than " + base::in_metres(MAX_CORNER_DISTANCE) +
                    " m from its origin once the body is as long as a tank's; model all parts in one unit";
         }
     }

@@ -6,7 +6,7 @@ namespace base {
 
 namespace {
 
-constexpr std::size_t MOST_WHOLE_DIGITS = 12;
+constexpr std::size_t MAX_WHOLE_DIGITS = 12;
 
 bool is_digit(char c)
 {
@@ -81,7 +81,7 @@ Decimal read_decimal(std::string_view text, int decimals)
         return {why_no_number(text), 0};
     }
     whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
-    if (whole.size() > MOST_WHOLE_DIGITS) {
+    if (whole.size() > MAX_WHOLE_DIGITS) {
         return {DecimalError::too_large, 0};
     }
     std::int64_t value = 0;

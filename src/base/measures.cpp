@@ -26,10 +26,10 @@ std::string in_metres(const glm::dvec3& point)
 std::string factor_text(double factor)
 {
     constexpr double LEAST_OF_FOUR_DIGITS = 1000.0;
-    constexpr int MOST_DECIMALS = 9;
+    constexpr int MAX_DECIMALS = 9;
     int decimals = 0;
     double shown = factor;
-    for (; decimals < MOST_DECIMALS && shown < LEAST_OF_FOUR_DIGITS; ++decimals) {
+    for (; decimals < MAX_DECIMALS && shown < LEAST_OF_FOUR_DIGITS; ++decimals) {
         shown *= 10.0;
     }
     return write_decimal(std::llround(shown), decimals);

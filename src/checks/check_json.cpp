@@ -1,6 +1,6 @@
 #include "checks/check_json.h"
 
-#include "app/report/json.h"
+#include "app/report/tables_json.h"
 
 namespace checks {
 namespace {

@@ -43,7 +43,7 @@ const app::Command* key_command(app::FieldId field, double sign)
         if (command.kind != app::CommandKind::hold || command.keys[0] == app::Key::none) {
             continue;
         }
-        for (const app::Move& move : command.used_moves()) {
+        for (const app::Move& move : command.moves) {
             if (move.field == field && move.rate * sign > 0.0) {
                 return app::command_for_key(command.keys[0]);
             }
@@ -62,7 +62,7 @@ void hold(const CheckSubject& subject, app::State& state, const app::Command& co
 }
 
 /// Tells whether the angle went the way of `sign`; round the back counts as the short way.
-bool went(double from, double to, double sign)
+bool turned_towards(double from, double to, double sign)
 {
     return std::sin(to - from) * sign > 0.0;
 }
@@ -96,7 +96,7 @@ void check_key(const CheckSubject& subject, const Turning& turning, double sign,
     for (int tick = 0; tick < TICKS; ++tick) {
         app::step(later, subject.assets);
     }
-    const bool turned = went(before.joints[turning.joint], after.joints[turning.joint], sign);
+    const bool turned = turned_towards(before.joints[turning.joint], after.joints[turning.joint], sign);
     const bool stays = later.joints == after.joints;
     const FrameCapture capture = capture_frame(subject, after);
     const PartSet wrong = not_drawn_at(subject, capture, after);
@@ -130,7 +130,7 @@ void check_limits(const CheckSubject& subject, const Turning& turning, double si
         for (int tick = 0; tick < TICKS; ++tick) {
             const double from = state.joints[turning.joint];
             hold(subject, state, *command, 1);
-            never_stops = never_stops && went(from, state.joints[turning.joint], sign);
+            never_stops = never_stops && turned_towards(from, state.joints[turning.joint], sign);
             turned += std::asin(std::sin(state.joints[turning.joint] - from));
         }
         constexpr double FULL_TURN = 6.283185307179586;

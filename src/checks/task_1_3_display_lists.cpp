@@ -74,7 +74,7 @@ void check_compiled_once(const FrameCapture& capture, Evidence& evidence)
             return std::string_view(call.name) == "glNewList" || std::string_view(call.name) == "glGenLists";
         });
     evidence.require(!compiles, "A frame compiles no list: that was done once.",
-                     "A frame compiles lists anew.");
+                     "A frame compiles lists again.");
 }
 
 } // namespace

@@ -72,7 +72,7 @@ void check_drawn(const CheckSubject& subject, Evidence& evidence)
     const app::Frame frame = simulation.frame();
     const FrameCapture capture = capture_frame(subject, frame);
     std::size_t on_sphere = 0;
-    if (frame.sphere_count == 1) {
+    if (frame.spheres.size() == 1) {
         const app::SphereInFrame& sphere = frame.spheres[0];
         for (const DrawnVertex& vertex : drawn_vertices(capture, frame.camera)) {
             const double distance = glm::distance(vertex.world, sphere.centre);

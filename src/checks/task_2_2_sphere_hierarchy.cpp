@@ -81,7 +81,7 @@ double root_overhang(const collision::SphereHierarchy& spheres)
 std::size_t drawn_spheres(const app::Frame& frame, const std::vector<DrawnVertex>& vertices)
 {
     std::size_t drawn = 0;
-    for (const app::SphereInFrame& sphere : frame.used_spheres()) {
+    for (const app::SphereInFrame& sphere : frame.spheres) {
         std::size_t on_sphere = 0;
         for (const DrawnVertex& vertex : vertices) {
             on_sphere += vertex.drawn == Drawn::lines &&
@@ -122,7 +122,7 @@ void check_pose(const CheckSubject& subject, std::string_view link, Evidence& ev
                      pose + std::to_string(drawn) + " of 19 spheres are drawn as wire where they are.");
 }
 
-/// Nothing that stays where it is has its sphere computed anew.
+/// Only what moves has its sphere recomputed.
 void check_refitting(const CheckSubject& subject, Evidence& evidence)
 {
     app::Simulation simulation(subject.assets);
@@ -138,10 +138,10 @@ void check_refitting(const CheckSubject& subject, Evidence& evidence)
     const collision::RefitCounts after = simulation.spheres().hierarchy().refit_counts();
     evidence.require(turned.parts - before.parts == 1 && turned.roots - before.roots == 1 &&
                          after.parts == turned.parts && after.roots == turned.roots,
-                     "Turning the secondary gun computes its sphere and the whole tank's anew, going round "
+                     "Turning the secondary gun recomputes its sphere and the whole tank's, going round "
                      "the tank none.",
-                     "Turning the secondary gun computes " + std::to_string(turned.parts - before.parts) +
-                         " spheres of parts anew, going round the tank " +
+                     "Turning the secondary gun recomputes " + std::to_string(turned.parts - before.parts) +
+                         " spheres of parts, going round the tank " +
                          std::to_string(after.parts - turned.parts) + ".");
 }
 

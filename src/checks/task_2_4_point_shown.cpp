@@ -114,7 +114,7 @@ void check_spheres(const CheckSubject& subject, Evidence& evidence)
         const std::size_t reported = simulation.report().explanation.hits.count() + 1; // and the whole tank's
         const auto vertices = drawn_vertices(capture_frame(subject, frame), frame.camera);
         std::size_t right = 0;
-        for (const app::SphereInFrame& sphere : frame.used_spheres()) {
+        for (const app::SphereInFrame& sphere : frame.spheres) {
             const Look look = look_of(sphere, vertices);
             right += sphere.is_penetrated && look.transparent >= 100 && look.other * 20 < look.transparent
                          ? 1u

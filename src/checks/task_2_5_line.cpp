@@ -131,10 +131,10 @@ void check_drawn(const CheckSubject& subject, Evidence& evidence)
     simulation.apply("probe", static_cast<double>(Probe::none));
     const auto without = drawn_vertices(capture_frame(subject, simulation.frame()), frame.camera);
     std::size_t marked = 0;
-    for (const app::ClosestPointInFrame& closest_point : frame.used_closest_points()) {
+    for (const app::ClosestPointInFrame& closest_point : frame.closest_points) {
         marked += drawn_at(with, closest_point.point) > drawn_at(without, closest_point.point) ? 1u : 0u;
     }
-    const std::size_t wanted = simulation.frame().closest_point_count + frame.closest_point_count;
+    const std::size_t wanted = simulation.frame().closest_points.size() + frame.closest_points.size();
     const bool ends = drawn_at(with, frame.probe.a) > drawn_at(without, frame.probe.a) &&
                       drawn_at(with, frame.probe.b) > drawn_at(without, frame.probe.b);
     evidence.require(marked == wanted && wanted >= 2 && ends,

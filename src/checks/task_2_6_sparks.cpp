@@ -37,7 +37,7 @@ struct Sparks
 Sparks sparks_of(const app::Frame& frame, const glm::dvec3& projectile)
 {
     Sparks sparks;
-    for (const particles::ParticleView& view : frame.used_particles()) {
+    for (const particles::ParticleView& view : frame.particles) {
         for (std::size_t i = 0; i < view.count(); ++i) {
             const glm::dvec3 position(view.position(i));
             ++sparks.count;
@@ -169,7 +169,7 @@ void check_picture(const CheckSubject& subject, app::Simulation& simulation, Evi
 {
     const app::Frame frame = simulation.frame();
     app::Frame without = frame;
-    without.particle_view_count = 0;
+    without.particles.clear();
     const auto before = picture_of(subject, without);
     const auto with = picture_of(subject, frame);
     const auto after = picture_of(subject, without);

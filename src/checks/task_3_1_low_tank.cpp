@@ -41,7 +41,7 @@ void check_pose(const CheckSubject& subject, std::string_view link, Evidence& ev
     const PartSet low =
         missing(find_part_calls(subject, capture.low_list_calls, frame.camera, frame.tanks[1]));
     const std::string pose = "In the pose " + std::string(link) + " ";
-    evidence.require(frame.tank_count == 2 && high.none() && low.none() &&
+    evidence.require(frame.tanks.size() == 2 && high.none() && low.none() &&
                          capture.tank_list_calls.size() == tank::PART_COUNT &&
                          capture.low_list_calls.size() == tank::PART_COUNT,
                      pose + "both tanks stand side by side, each part of the low one where the same joints "
@@ -118,7 +118,7 @@ std::uint64_t draw_calls_of(const CheckSubject& subject, std::string_view level)
     simulation.open_link("ground=off&detail=" + std::string(level));
     app::Frame frame = simulation.frame();
     const std::uint64_t with_tank = draw_calls(frame);
-    frame.tank_count = 0;
+    frame.tanks.clear();
     return with_tank - draw_calls(frame);
 }
 

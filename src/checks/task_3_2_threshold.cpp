@@ -36,7 +36,7 @@ void zoom_to_the_end(app::Simulation& simulation, std::string_view command)
 double share_of_tank(const CheckSubject& subject, const app::Frame& frame)
 {
     app::Frame without = frame;
-    without.tank_count = 0;
+    without.tanks.clear();
     return share_of_other_pixels(picture_of(subject, frame), picture_of(subject, without));
 }
 
@@ -53,7 +53,7 @@ void check_moving_away(const CheckSubject& subject, Evidence& evidence)
     const double distance = simulation.state().camera.distance;
     const bool along_z =
         std::fabs(way.x) < 1e-6 * distance && std::fabs(way.y) < 1e-6 * distance && way.z < 0.0;
-    const bool only_low = first.tank_count == 1 && first.tanks[0].level == lod::Level::low &&
+    const bool only_low = first.tanks.size() == 1 && first.tanks[0].level == lod::Level::low &&
                           last.tanks[0].level == lod::Level::low;
     evidence.require(only_low && along_z && distance >= 300.0 && far_share > 0.0 &&
                          near_share > far_share * 20,
@@ -80,7 +80,7 @@ lod::PictureDifference difference_at(const CheckSubject& subject, double distanc
     const auto picture = [&](lod::Level level, std::size_t tanks) {
         app::Frame frame = simulation.frame();
         frame.tanks[0].level = level;
-        frame.tank_count = tanks;
+        frame.tanks.truncate(tanks);
         return picture_of(window, frame);
     };
     const auto high = picture(lod::Level::high, 1);

@@ -8,7 +8,7 @@
 namespace collision {
 
 /// At most this many parts are in one hierarchy.
-constexpr std::size_t MOST_PARTS = 64;
+constexpr std::size_t MAX_PARTS = 64;
 
 /// A set of parts, by index: one machine word, so that a test allocates nothing.
 class PartSet
@@ -17,14 +17,14 @@ public:
     constexpr PartSet() = default;
     constexpr explicit PartSet(std::uint64_t bits) : bits_(bits) {}
 
-    /// Puts a part in. Precondition: part < MOST_PARTS.
+    /// Puts a part in. Precondition: part < MAX_PARTS.
     constexpr void insert(std::size_t part)
     {
-        assert(part < MOST_PARTS);
+        assert(part < MAX_PARTS);
         bits_ |= std::uint64_t{1} << part;
     }
 
-    constexpr bool contains(std::size_t part) const { return part < MOST_PARTS && (bits_ >> part & 1u) != 0; }
+    constexpr bool contains(std::size_t part) const { return part < MAX_PARTS && (bits_ >> part & 1u) != 0; }
     constexpr bool is_empty() const { return bits_ == 0; }
     constexpr int count() const { return std::popcount(bits_); }
 

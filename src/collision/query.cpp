@@ -14,8 +14,8 @@ bool is_finite(const glm::dvec3& v)
 /// False for not-a-number, too.
 bool is_near(const glm::dvec3& v)
 {
-    return std::abs(v.x) <= LARGEST_COORDINATE && std::abs(v.y) <= LARGEST_COORDINATE &&
-           std::abs(v.z) <= LARGEST_COORDINATE;
+    return std::abs(v.x) <= MAX_COORDINATE && std::abs(v.y) <= MAX_COORDINATE &&
+           std::abs(v.z) <= MAX_COORDINATE;
 }
 
 } // namespace
@@ -25,8 +25,7 @@ Refusal refusal_of(const Query& query)
     // The good ones first, which are nearly all.
     // A segment's direction follows from its ends and may be twice as long as they are far.
     const glm::dvec3& other = query.shape == Shape::segment ? query.end : query.direction;
-    if (is_near(query.origin) && is_near(other) && query.radius >= 0.0 &&
-        query.radius <= LARGEST_COORDINATE) {
+    if (is_near(query.origin) && is_near(other) && query.radius >= 0.0 && query.radius <= MAX_COORDINATE) {
         return Refusal::none;
     }
     if (!is_finite(query.origin) || !is_finite(query.end) || !is_finite(query.direction) ||

@@ -47,12 +47,12 @@ enum class Refusal : std::uint8_t
 {
     none,
     not_finite,      ///< a number in it is infinite or not a number
-    too_far,         ///< a coordinate or the radius is beyond LARGEST_COORDINATE
+    too_far,         ///< a coordinate or the radius is beyond MAX_COORDINATE
     negative_radius, ///< less than nothing cannot touch anything
 };
 
 /// Metres; there a double still steps by 0.1 micrometres, and nothing that is squared can overflow.
-constexpr double LARGEST_COORDINATE = 1e9;
+constexpr double MAX_COORDINATE = 1e9;
 
 /// Returns why the query cannot be answered, or Refusal::none.
 Refusal refusal_of(const Query& query);

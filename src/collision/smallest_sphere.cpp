@@ -73,11 +73,11 @@ template <class Furthest> glm::dvec3 smallest_sphere_centre(const BoundingSphere
     // What the basis holds is never larger than the smallest sphere around all; what reaches furthest from
     // the same centre gives one around all that is never smaller. Between them they leave this much.
     constexpr double ENOUGH = 1.0 + 1e-10;
-    constexpr int MOST_ROUNDS = 1000; // ten are usual; a guard against going round in circles by rounding
+    constexpr int MAX_ROUNDS = 1000; // ten are usual; a guard against going round in circles by rounding
     Basis basis{.holding = {first}, .count = 1, .sphere = first};
     glm::dvec3 best_centre = first.centre;
     double best_reach = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < MOST_ROUNDS; ++round) {
+    for (int round = 0; round < MAX_ROUNDS; ++round) {
         const BoundingSphere out = furthest(basis.sphere.centre);
         const double out_reach = reach(basis.sphere.centre, out);
         if (out_reach < best_reach) {

@@ -84,7 +84,7 @@ SphereHierarchy::SphereHierarchy(std::span<const BoundingSphere> local_spheres)
     : local_(local_spheres.begin(), local_spheres.end()), matrices_(local_.size(), glm::mat4(1.0f)),
       parts_(local_)
 {
-    assert(local_.size() <= MOST_PARTS);
+    assert(local_.size() <= MAX_PARTS);
     fit_root();
     counts_ = {}; // what follows is counted
 }

@@ -66,7 +66,7 @@ public:
     SphereHierarchy() = default;
 
     /// Takes each part's sphere in the coordinates of its mesh. All matrices are the identity at first.
-    /// An empty sphere is a part that nothing hits. Precondition: at most MOST_PARTS, all finite.
+    /// An empty sphere is a part that nothing hits. Precondition: at most MAX_PARTS, all finite.
     explicit SphereHierarchy(std::span<const BoundingSphere> local_spheres);
 
     /// Sets the sphere that whole() carries along with a part. In the coordinates of that part's mesh.

@@ -43,7 +43,7 @@ glm::dvec3 closest_point_on_triangle(const glm::dvec3& p, const Triangle& triang
     if (of_b > 0.0 && of_c > 0.0 && of_b + of_c < square) {
         return a + (of_b / square) * (b - a) + (of_c / square) * (c - a);
     }
-    // Beside the face, or there is none.
+    // Beside the face, or it has no area.
     return closest_point_on_edges(p, a, b, c);
 }
 

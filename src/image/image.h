@@ -21,13 +21,13 @@ struct Image
 };
 
 /// The largest width and the largest height that are read, in pixels.
-inline constexpr int max_image_side = 16384;
+inline constexpr int MAX_IMAGE_SIDE = 16384;
 
 /// The most pixels that are read: 8192 x 4096.
-inline constexpr long long max_image_pixels = 1LL << 25;
+inline constexpr long long MAX_IMAGE_PIXELS = 1LL << 25;
 
 /// The largest file that is read, in bytes.
-inline constexpr std::size_t max_image_file_bytes = std::size_t{128} << 20;
+inline constexpr std::size_t MAX_IMAGE_FILE_BYTES = std::size_t{128} << 20;
 
 /// Reads a PNG, JPEG or TGA image; which one it is is told from the bytes, not from `file_name`.
 /// Grey becomes three equal channels, grey with alpha four; palettes are looked up; 16 bits are cut to the

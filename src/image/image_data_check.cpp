@@ -11,11 +11,11 @@ namespace {
 
 constexpr const char* cut_short = "the image is cut short; copy or save it again";
 
-/// What of a TGA header says where its pixels are. Truevision TGA File Format Specification 2.0, "TGA file
-/// header".
+/// The parts of a TGA header that say where its pixels are. Truevision TGA File Format Specification 2.0,
+/// "TGA file header".
 struct TgaHeader
 {
-    static constexpr std::size_t size = 18;
+    static constexpr std::size_t SIZE = 18;
 
     explicit TgaHeader(std::span<const std::uint8_t> bytes)
         : id_length(bytes[0]), has_palette(bytes[1] == 1), run_length_encoded(bytes[2] >= 8),
@@ -27,7 +27,7 @@ struct TgaHeader
     /// Where the pixels begin. stb_image takes the palette's first index for bytes to skip, and so do we.
     std::size_t data_offset() const
     {
-        return size + id_length + (has_palette ? palette_start + palette_length * palette_entry_bytes : 0);
+        return SIZE + id_length + (has_palette ? palette_start + palette_length * palette_entry_bytes : 0);
     }
 
     std::size_t id_length;
@@ -56,11 +56,13 @@ std::size_t end_of_packets(std::span<const std::uint8_t> bytes, std::size_t at, 
 
 std::string check_tga(std::span<const std::uint8_t> bytes, long long pixels)
 {
-    if (bytes.size() < TgaHeader::size)
+    if (bytes.size() < TgaHeader::SIZE) {
         return cut_short;
+    }
     const TgaHeader header(bytes);
-    if (header.from_right_to_left)
+    if (header.from_right_to_left) {
         return "the TGA image is stored from right to left, which is not supported; save it as PNG";
+    }
     const std::size_t begin = header.data_offset();
     const std::size_t end = header.run_length_encoded
                                 ? end_of_packets(bytes, begin, header.pixel_bytes, pixels)
@@ -72,9 +74,12 @@ std::string check_tga(std::span<const std::uint8_t> bytes, long long pixels)
 
 ImageFormat image_format(std::span<const std::uint8_t> bytes)
 {
-    static constexpr std::array<std::uint8_t, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    if (bytes.size() >= png.size() && std::equal(png.begin(), png.end(), bytes.begin()))
+    static constexpr std::array<std::uint8_t, 8> PNG_SIGNATURE = {0x89, 'P',  'N',  'G',
+                                                                  '\r', '\n', 0x1A, '\n'};
+    if (bytes.size() >= PNG_SIGNATURE.size() &&
+        std::equal(PNG_SIGNATURE.begin(), PNG_SIGNATURE.end(), bytes.begin())) {
         return ImageFormat::png;
+    }
     const auto not_fill =
         std::find_if(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte != 0xFF; });
     const bool is_jpeg = not_fill != bytes.begin() && not_fill != bytes.end() && *not_fill == 0xD8;
@@ -88,8 +93,9 @@ std::string check_image_before_header(ImageFormat format, std::span<const std::u
 
 std::string check_image_data(ImageFormat format, std::span<const std::uint8_t> bytes, long long pixels)
 {
-    if (format == ImageFormat::jpeg)
+    if (format == ImageFormat::jpeg) {
         return check_jpeg_scans(bytes, pixels);
+    }
     return format == ImageFormat::tga_or_unknown ? check_tga(bytes, pixels) : "";
 }
 

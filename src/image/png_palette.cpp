@@ -7,11 +7,11 @@ namespace image {
 namespace {
 
 // PNG specification (ISO/IEC 15948), 5.3: a chunk is a length, a type, so many bytes of data and a checksum.
-constexpr std::size_t signature_size = 8;
-constexpr std::size_t length_size = 4;
-constexpr std::size_t type_size = 4;
-constexpr std::size_t checksum_size = 4;
-constexpr std::size_t full_palette = std::size_t{256} * 3;
+constexpr std::size_t SIGNATURE_SIZE = 8;
+constexpr std::size_t LENGTH_SIZE = 4;
+constexpr std::size_t TYPE_SIZE = 4;
+constexpr std::size_t CHECKSUM_SIZE = 4;
+constexpr std::size_t FULL_PALETTE = std::size_t{256} * 3;
 
 std::size_t big_endian(std::span<const std::uint8_t> four)
 {
@@ -20,9 +20,11 @@ std::size_t big_endian(std::span<const std::uint8_t> four)
 
 bool has_type(std::span<const std::uint8_t> chunk, std::string_view type)
 {
-    for (std::size_t i = 0; i < type_size; ++i)
-        if (chunk[length_size + i] != static_cast<std::uint8_t>(type[i]))
+    for (std::size_t i = 0; i < TYPE_SIZE; ++i) {
+        if (chunk[LENGTH_SIZE + i] != static_cast<std::uint8_t>(type[i])) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -30,23 +32,25 @@ bool has_type(std::span<const std::uint8_t> chunk, std::string_view type)
 
 std::vector<std::uint8_t> png_with_full_palette(std::span<const std::uint8_t> bytes)
 {
-    constexpr std::size_t header_size = length_size + type_size;
-    for (std::size_t at = signature_size; bytes.size() >= at + header_size;) {
+    constexpr std::size_t HEADER_SIZE = LENGTH_SIZE + TYPE_SIZE;
+    for (std::size_t at = SIGNATURE_SIZE; bytes.size() >= at + HEADER_SIZE;) {
         const std::span<const std::uint8_t> chunk = bytes.subspan(at);
         const std::size_t length = big_endian(chunk);
-        if (length > chunk.size() - header_size || has_type(chunk, "IDAT"))
+        if (length > chunk.size() - HEADER_SIZE || has_type(chunk, "IDAT")) {
             return {};
+        }
         if (has_type(chunk, "PLTE")) {
-            if (length >= full_palette || length % 3 != 0)
+            if (length >= FULL_PALETTE || length % 3 != 0) {
                 return {};
+            }
             std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
-            copy[at + 2] = full_palette >> 8;
-            copy[at + 3] = full_palette & 255;
-            copy.insert(copy.begin() + static_cast<std::ptrdiff_t>(at + header_size + length),
-                        full_palette - length, 0);
+            copy[at + 2] = FULL_PALETTE >> 8;
+            copy[at + 3] = FULL_PALETTE & 255;
+            copy.insert(copy.begin() + static_cast<std::ptrdiff_t>(at + HEADER_SIZE + length),
+                        FULL_PALETTE - length, 0);
             return copy;
         }
-        at += header_size + length + checksum_size;
+        at += HEADER_SIZE + length + CHECKSUM_SIZE;
     }
     return {};
 }

@@ -22,12 +22,12 @@ thread_local std::size_t largest_block = 0;
 
 void allow_blocks_for(const image::ImageHeader& header, std::size_t file_bytes)
 {
-    constexpr std::size_t margin = 64; // JPEG's blocks of 8 x 8 reach beyond the edges, sampled 4 x 4 at most
-    constexpr std::size_t bytes_per_pixel = 8; // 16-bit RGBA
-    constexpr std::size_t tables = 65536;
+    constexpr std::size_t MARGIN = 64; // JPEG's blocks of 8 x 8 reach beyond the edges, sampled 4 x 4 at most
+    constexpr std::size_t BYTES_PER_PIXEL = 8; // 16-bit RGBA
+    constexpr std::size_t TABLES = 65536;
     largest_block =
-        std::max((header.width + margin) * (header.height + margin) * bytes_per_pixel, 2 * file_bytes) +
-        tables;
+        std::max((header.width + MARGIN) * (header.height + MARGIN) * BYTES_PER_PIXEL, 2 * file_bytes) +
+        TABLES;
 }
 
 // Zeroed: where a damaged file leaves part of a picture out, the result must not depend on what was in
@@ -41,8 +41,9 @@ void* reallocate(void* block, std::size_t old_size, std::size_t size)
 {
     void* moved = size <= largest_block ? std::realloc(block, size) : nullptr;
     const std::size_t kept = block != nullptr ? old_size : 0;
-    if (moved != nullptr && size > kept)
+    if (moved != nullptr && size > kept) {
         std::memset(static_cast<std::uint8_t*>(moved) + kept, 0, size - kept);
+    }
     return moved;
 }
 
@@ -55,7 +56,7 @@ void* reallocate(void* block, std::size_t old_size, std::size_t size)
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STBI_NO_SIMD // its decoders for SSE2 and NEON round differently from the one the web gets
-#define STBI_MAX_DIMENSIONS image::max_image_side
+#define STBI_MAX_DIMENSIONS image::MAX_IMAGE_SIDE
 #define STBI_MALLOC(size) allocate(size)
 #define STBI_REALLOC_SIZED(block, old_size, size) reallocate(block, old_size, size)
 #define STBI_FREE(block) std::free(block)

@@ -9,10 +9,12 @@ EarClipper::EarClipper(std::vector<glm::dvec2> points, long long& steps_left)
       steps_left_(steps_left)
 {
     corners_.reserve(points_.size());
-    for (int i = 0; i < remaining_; ++i)
+    for (int i = 0; i < remaining_; ++i) {
         corners_.push_back({(i + remaining_ - 1) % remaining_, (i + 1) % remaining_, true, false, false});
-    for (int i = 0; i < remaining_; ++i)
+    }
+    for (int i = 0; i < remaining_; ++i) {
         classify(i);
+    }
     wait_all();
 }
 
@@ -50,8 +52,9 @@ void EarClipper::classify(int corner)
 
 void EarClipper::wait(int corner)
 {
-    if (corners_[corner].waiting)
+    if (corners_[corner].waiting) {
         return;
+    }
     corners_[corner].waiting = true;
     queue_.push_back(corner);
 }
@@ -61,23 +64,26 @@ void EarClipper::wait_all()
     queue_.clear();
     queue_front_ = 0;
     int corner = some_corner_;
-    for (int i = 0; i < remaining_; ++i, corner = corners_[corner].next)
+    for (int i = 0; i < remaining_; ++i, corner = corners_[corner].next) {
         wait(corner);
+    }
     steps_left_ -= remaining_;
 }
 
 bool EarClipper::is_ear(int corner, Contact allowed)
 {
     const Corner& ear = corners_[corner];
-    if (!ear.convex)
+    if (!ear.convex) {
         return false;
+    }
     const glm::dvec2 a = points_[ear.previous];
     const glm::dvec2 b = points_[corner];
     const glm::dvec2 c = points_[ear.next];
     const auto is_in_the_way = [&](int other) {
         const glm::dvec2 p = points_[other];
-        if (p == a || p == b || p == c) // also the twin of an own corner, where a bridge leads to a hole
+        if (p == a || p == b || p == c) { // also the twin of an own corner, where a bridge leads to a hole
             return false;
+        }
         const double ab = turn(a, b, p);
         const double bc = turn(b, c, p);
         const double ca = turn(c, a, p);
@@ -97,12 +103,15 @@ int EarClipper::corner_to_force()
     for (int i = 0; i < remaining_; ++i, corner = corners_[corner].next) {
         --steps_left_;
         const Corner& c = corners_[corner];
-        if (turn(points_[c.previous], points_[corner], points_[c.next]) == 0)
+        if (turn(points_[c.previous], points_[corner], points_[c.next]) == 0) {
             return corner;
-        if (touching_ear < 0 && is_ear(corner, Contact::outline))
+        }
+        if (touching_ear < 0 && is_ear(corner, Contact::outline)) {
             touching_ear = corner;
-        if (convex < 0 && c.convex)
+        }
+        if (convex < 0 && c.convex) {
             convex = corner;
+        }
     }
     return touching_ear >= 0 ? touching_ear : convex >= 0 ? convex : some_corner_;
 }

@@ -11,7 +11,7 @@ namespace mesh {
 namespace {
 
 constexpr glm::vec3 any_direction(0, 1, 0);
-constexpr int missing = -1;
+constexpr int MISSING = -1;
 
 /// Twice the vector area of a face. In double: the square of no float overflows or vanishes there.
 glm::dvec3 vector_area(const ObjMesh& mesh, const Face& face)
@@ -52,8 +52,9 @@ int append_normal(ObjMesh& mesh, const glm::vec3& normal)
 glm::dvec3 vector_area(const ObjMesh& mesh, const Polygon& polygon)
 {
     glm::dvec3 sum(0);
-    for (int i = 0; i < polygon.face_count; ++i)
+    for (int i = 0; i < polygon.face_count; ++i) {
         sum += vector_area(mesh, mesh.faces[polygon.first_face + i]);
+    }
     return sum;
 }
 
@@ -61,21 +62,24 @@ glm::dvec3 vector_area(const ObjMesh& mesh, const Polygon& polygon)
 /// group's.
 bool complete_flat(ObjMesh& mesh, const Polygon& polygon)
 {
-    int flat_normal = missing;
+    int flat_normal = MISSING;
     bool some_left = false;
-    for (int i = 0; i < polygon.face_count; ++i)
+    for (int i = 0; i < polygon.face_count; ++i) {
         for (FaceVertex& vertex : mesh.faces[polygon.first_face + i].vertices) {
-            const bool has_normal = vertex.normal != missing;
-            if (has_normal && is_normalisable(mesh.normals[vertex.normal]))
+            const bool has_normal = vertex.normal != MISSING;
+            if (has_normal && is_normalisable(mesh.normals[vertex.normal])) {
                 continue;
+            }
             if (!has_normal && polygon.smoothing_group != 0) {
                 some_left = true;
                 continue;
             }
-            if (flat_normal == missing)
+            if (flat_normal == MISSING) {
                 flat_normal = append_normal(mesh, direction_of(vector_area(mesh, polygon)));
+            }
             vertex.normal = flat_normal;
         }
+    }
     return some_left;
 }
 
@@ -98,12 +102,16 @@ struct SmoothCorner
 std::vector<SmoothCorner> sorted_smooth_corners(const ObjMesh& mesh, std::span<const Polygon> polygons)
 {
     std::vector<SmoothCorner> corners;
-    for (const Polygon& polygon : polygons)
-        if (polygon.smoothing_group != 0)
-            for (int face = polygon.first_face; face < polygon.first_face + polygon.face_count; ++face)
-                for (int corner = 0; corner < 3; ++corner)
+    for (const Polygon& polygon : polygons) {
+        if (polygon.smoothing_group != 0) {
+            for (int face = polygon.first_face; face < polygon.first_face + polygon.face_count; ++face) {
+                for (int corner = 0; corner < 3; ++corner) {
                     corners.push_back(
                         {mesh.faces[face].vertices[corner].position, polygon.smoothing_group, face, corner});
+                }
+            }
+        }
+    }
     std::sort(corners.begin(), corners.end());
     return corners;
 }
@@ -112,23 +120,27 @@ std::vector<SmoothCorner> sorted_smooth_corners(const ObjMesh& mesh, std::span<c
 void complete_shared(ObjMesh& mesh, std::span<const SmoothCorner> corners)
 {
     glm::dvec3 sum(0);
-    for (const SmoothCorner& c : corners)
-        if (const glm::dvec3 area = vector_area(mesh, mesh.faces[c.face]); !vanishes(area))
+    for (const SmoothCorner& c : corners) {
+        if (const glm::dvec3 area = vector_area(mesh, mesh.faces[c.face]); !vanishes(area)) {
             sum +=
                 area * (corner_angle(mesh, mesh.faces[c.face], c.corner) / std::sqrt(glm::dot(area, area)));
-    constexpr double shortest = 1e-9; // what is left when normals cancel is rounding, and points anywhere
-    const bool cancels = glm::dot(sum, sum) < shortest * shortest;
-    int shared_normal = missing;
+        }
+    }
+    constexpr double MIN_LENGTH = 1e-9; // what is left when normals cancel is rounding, and points anywhere
+    const bool cancels = glm::dot(sum, sum) < MIN_LENGTH * MIN_LENGTH;
+    int shared_normal = MISSING;
     for (const SmoothCorner& c : corners) {
         int& normal = mesh.faces[c.face].vertices[c.corner].normal;
-        if (normal != missing)
+        if (normal != MISSING) {
             continue;
-        if (cancels)
+        }
+        if (cancels) {
             normal = append_normal(mesh, direction_of(vector_area(mesh, mesh.faces[c.face])));
-        else if (shared_normal == missing)
+        } else if (shared_normal == MISSING) {
             normal = shared_normal = append_normal(mesh, direction_of(sum));
-        else
+        } else {
             normal = shared_normal;
+        }
     }
 }
 
@@ -137,8 +149,9 @@ void complete_smooth(ObjMesh& mesh, std::span<const Polygon> polygons)
     const std::vector<SmoothCorner> corners = sorted_smooth_corners(mesh, polygons);
     for (std::size_t begin = 0; begin < corners.size();) {
         std::size_t end = begin + 1;
-        while (end < corners.size() && corners[end].shares_normal_with(corners[begin]))
+        while (end < corners.size() && corners[end].shares_normal_with(corners[begin])) {
             ++end;
+        }
         complete_shared(mesh, std::span(corners).subspan(begin, end - begin));
         begin = end;
     }
@@ -155,10 +168,12 @@ bool is_normalisable(const glm::vec3& normal)
 void complete_normals(ObjMesh& mesh, std::span<const Polygon> polygons)
 {
     bool some_left = false;
-    for (const Polygon& polygon : polygons)
+    for (const Polygon& polygon : polygons) {
         some_left |= complete_flat(mesh, polygon);
-    if (some_left)
+    }
+    if (some_left) {
         complete_smooth(mesh, polygons);
+    }
 }
 
 } // namespace mesh

@@ -21,9 +21,8 @@ struct WrittenCorner
     }
 };
 
-/// Reads a number such as -1, .5, 2. or 1.5e-3 into `value`; what tinyobjloader would let pass
-/// (1.5abc, 1.2.3, a lone point) is refused first. Locale-independent. Returns why it is not a finite float,
-/// if so.
+/// Reads a number such as -1, .5, 2. or 1.5e-3 into `value`, whatever the locale, rounded to the nearest
+/// double and that to the nearest float. Returns why it is not a finite float, if so.
 [[nodiscard]] Cause read_number(std::string_view word, float& value);
 
 /// Reads a corner of a face, `v`, `v/vt`, `v//vn` or `v/vt/vn`, into `corner`. Returns what is wrong with it,

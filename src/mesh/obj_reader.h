@@ -10,17 +10,17 @@ namespace mesh {
 
 /// The longest OBJ text that is read, in bytes: some 400,000 triangles with all their indices. It takes half
 /// a second.
-inline constexpr std::size_t max_obj_bytes = std::size_t{32} << 20;
+inline constexpr std::size_t MAX_OBJ_BYTES = std::size_t{32} << 20;
 
 /// The most triangles that are read from one OBJ text, polygons counted as cut.
-inline constexpr std::size_t max_obj_triangles = 2'000'000;
+inline constexpr std::size_t MAX_OBJ_TRIANGLES = 2'000'000;
 
 /// The longest line, in bytes. A face of 20,000 vertices fits several times over.
-inline constexpr std::size_t max_obj_line_bytes = std::size_t{1} << 20;
+inline constexpr std::size_t MAX_OBJ_LINE_BYTES = std::size_t{1} << 20;
 
 /// How many steps cutting the concave polygons of one text may take: a second or two of work.
 /// Polygons that do not cross themselves need a few dozen steps a vertex.
-inline constexpr long long max_polygon_steps = 1LL << 26;
+inline constexpr long long MAX_POLYGON_STEPS = 1LL << 26;
 
 /// Reads the faces of an OBJ text and what they are made of.
 ///

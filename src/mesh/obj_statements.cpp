@@ -5,8 +5,8 @@
 namespace mesh {
 namespace {
 
-constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-constexpr char dos_end_of_file = '\x1A'; // some old programs end their text files with it
+constexpr std::string_view UTF8_MARK = "\xEF\xBB\xBF";
+constexpr char DOS_END_OF_FILE = '\x1A'; // some old programs end their text files with it
 
 bool is_line_end(char c)
 {
@@ -33,10 +33,12 @@ bool is_control(char c)
 
 ObjStatements::ObjStatements(std::string_view text) : text_(text)
 {
-    if (text_.substr(0, utf8_mark.size()) == utf8_mark)
-        at_ = utf8_mark.size();
-    if (!text_.empty() && text_.back() == dos_end_of_file)
+    if (text_.substr(0, UTF8_MARK.size()) == UTF8_MARK) {
+        at_ = UTF8_MARK.size();
+    }
+    if (!text_.empty() && text_.back() == DOS_END_OF_FILE) {
         text_.remove_suffix(1);
+    }
 }
 
 bool ObjStatements::at_line_end() const
@@ -44,13 +46,15 @@ bool ObjStatements::at_line_end() const
     return at_ >= text_.size() || is_line_end(text_[at_]);
 }
 
-/// How long a continuation, a backslash and the line end after it, is here; 0: there is none.
+/// How long a continuation, a backslash and the line end after it, is here; 0 where there is no continuation.
 std::size_t ObjStatements::continuation_length() const
 {
-    if (text_[at_] != '\\')
+    if (text_[at_] != '\\') {
         return 0;
-    if (at_ + 1 >= text_.size())
+    }
+    if (at_ + 1 >= text_.size()) {
         return 1; // the text ends where its last line should have been continued
+    }
     return is_line_end(text_[at_ + 1]) ? 1 + line_end_length(text_, at_ + 1) : 0;
 }
 
@@ -63,20 +67,22 @@ void ObjStatements::skip_line_end()
 void ObjStatements::skip_blanks()
 {
     while (at_ < text_.size()) {
-        if (is_blank(text_[at_]))
+        if (is_blank(text_[at_])) {
             ++at_;
-        else if (const std::size_t length = continuation_length(); length > 0) {
+        } else if (const std::size_t length = continuation_length(); length > 0) {
             at_ += length;
             ++line_;
-        } else
+        } else {
             return;
+        }
     }
 }
 
 void ObjStatements::skip_comment()
 {
-    while (!at_line_end()) // a backslash does not continue a comment: it often ends a Windows path
+    while (!at_line_end()) { // a backslash does not continue a comment: it often ends a Windows path
         ++at_;
+    }
 }
 
 bool ObjStatements::next_statement()
@@ -88,13 +94,13 @@ bool ObjStatements::next_statement()
         in_statement_ = false;
     }
     while (at_ < text_.size()) {
-        if (is_line_end(text_[at_]))
+        if (is_line_end(text_[at_])) {
             skip_line_end();
-        else if (text_[at_] == '#')
+        } else if (text_[at_] == '#') {
             skip_comment();
-        else if (is_blank(text_[at_]) || continuation_length() > 0)
+        } else if (is_blank(text_[at_]) || continuation_length() > 0) {
             skip_blanks();
-        else {
+        } else {
             statement_line_ = word_line_ = line_;
             in_statement_ = true;
             return true;
@@ -106,24 +112,28 @@ bool ObjStatements::next_statement()
 std::string_view ObjStatements::next_word()
 {
     skip_blanks();
-    if (at_line_end() || text_[at_] == '#')
+    if (at_line_end() || text_[at_] == '#') {
         return {};
+    }
     word_line_ = line_;
     const std::size_t begin = at_;
-    while (!at_line_end() && !is_blank(text_[at_]) && continuation_length() == 0)
+    while (!at_line_end() && !is_blank(text_[at_]) && continuation_length() == 0) {
         ++at_;
+    }
     return text_.substr(begin, at_ - begin);
 }
 
 TextFault check_obj_text(std::string_view text)
 {
-    if (text.size() > max_obj_bytes)
+    if (text.size() > MAX_OBJ_BYTES) {
         return {0, "the file has " + std::to_string(text.size() >> 20) + " MB and at most " +
-                       std::to_string(max_obj_bytes >> 20) +
+                       std::to_string(MAX_OBJ_BYTES >> 20) +
                        " MB are read; reduce the number of polygons or split the model"};
+    }
     const std::string_view start = text.substr(0, 2);
-    if (start == "\xFF\xFE" || start == "\xFE\xFF")
+    if (start == "\xFF\xFE" || start == "\xFE\xFF") {
         return {1, "the text is stored as UTF-16; save it as UTF-8 or plain ASCII"};
+    }
 
     int line = 1;
     std::size_t line_begin = 0;
@@ -135,18 +145,21 @@ TextFault check_obj_text(std::string_view text)
             ++line;
             continue;
         }
-        if (is_control(text[at]) && !(text[at] == dos_end_of_file && at + 1 == text.size()))
+        if (is_control(text[at]) && !(text[at] == DOS_END_OF_FILE && at + 1 == text.size())) {
             return {line, "there is binary data here (a byte of value " +
                               std::to_string(static_cast<unsigned char>(text[at])) +
                               "); this is not an OBJ text file"};
-        if (at - line_begin >= max_obj_line_bytes)
-            return {line, "the line is longer than " + std::to_string(max_obj_line_bytes) +
+        }
+        if (at - line_begin >= MAX_OBJ_LINE_BYTES) {
+            return {line, "the line is longer than " + std::to_string(MAX_OBJ_LINE_BYTES) +
                               " bytes; this is hardly an OBJ text file"};
+        }
         only_blanks = only_blanks && is_blank(text[at]);
         ++at;
     }
-    if (only_blanks)
+    if (only_blanks) {
         return {0, "the file is empty"};
+    }
     return {};
 }
 

@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    static constexpr int leaf_size = 4;
+    static constexpr int LEAF_SIZE = 4;
 
     /// A node is named by its index, children of k being 2k + 1 and 2k + 2, and its part of `order_`.
     struct Node
@@ -58,7 +58,7 @@ private:
         int begin;
         int end;
 
-        bool is_leaf() const { return end - begin <= leaf_size; }
+        bool is_leaf() const { return end - begin <= LEAF_SIZE; }
         int middle() const { return begin + (end - begin) / 2; }
         Node left() const { return {2 * index + 1, begin, middle()}; }
         Node right() const { return {2 * index + 2, middle(), end}; }
@@ -78,15 +78,19 @@ private:
     {
         --steps_left;
         const Content& content = contents_[node.index];
-        if (content.marked == 0 || !content.box.may_touch(triangle))
+        if (content.marked == 0 || !content.box.may_touch(triangle)) {
             return false;
-        if (!node.is_leaf())
+        }
+        if (!node.is_leaf()) {
             return any_in_node(node.left(), triangle, found, steps_left) ||
                    any_in_node(node.right(), triangle, found, steps_left);
-        steps_left -= leaf_size;
-        for (int i = node.begin; i < node.end; ++i)
-            if (is_marked_[order_[i]] && found(order_[i]))
+        }
+        steps_left -= LEAF_SIZE;
+        for (int i = node.begin; i < node.end; ++i) {
+            if (is_marked_[order_[i]] && found(order_[i])) {
                 return true;
+            }
+        }
         return false;
     }
 

@@ -66,8 +66,8 @@ bool mark_turned(Vectors velocities_before, Vectors velocities_now, std::int32_t
 {
     std::int32_t any = 0;
     for (int i = 0; i < count; ++i) {
-        const std::int32_t came = along(normal, velocities_before, i) < 0.0F ? 1 : 0;
-        const std::int32_t goes = along(normal, velocities_now, i) > 0.0F ? 1 : 0;
+        const std::int32_t came = along(normal, velocities_before, i) < 0.0f ? 1 : 0;
+        const std::int32_t goes = along(normal, velocities_now, i) > 0.0f ? 1 : 0;
         const std::int32_t mark = marks[i] | (came & goes);
         marks[i] = mark;
         any |= mark;

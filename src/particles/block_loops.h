@@ -7,7 +7,7 @@
 namespace particles {
 
 /// How many particles the loops below take at a time, at most: their values stay in the nearest cache.
-constexpr std::size_t block_size = 256;
+constexpr std::size_t BLOCK_SIZE = 256;
 
 /// What one step does to the positions and velocities along one axis; see Flight.
 struct AxisMotion

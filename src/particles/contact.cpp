@@ -9,13 +9,13 @@ namespace particles {
 namespace {
 
 /// Nearer than this, in metres, a wall is touched: a little more than what rounding to float does nearby.
-constexpr double touching_distance = 1e-6;
+constexpr double TOUCHING_DISTANCE = 1e-6;
 
 /// Slower than this, in m/s, nothing leaves a wall: more than what rounding leaves of a speed taken away.
-constexpr double slowest_leaving = 1e-9;
+constexpr double MIN_LEAVING_SPEED = 1e-9;
 
 /// Less than this, in metres, is no way.
-constexpr double rounding = 1e-12;
+constexpr double ROUNDING = 1e-12;
 
 double distance_to(const Wall& wall, const glm::dvec3& position)
 {
@@ -24,21 +24,21 @@ double distance_to(const Wall& wall, const glm::dvec3& position)
 
 bool is_touched(const Wall& wall, const glm::dvec3& position)
 {
-    return distance_to(wall, position) <= touching_distance;
+    return distance_to(wall, position) <= TOUCHING_DISTANCE;
 }
 
 /// Where slanted walls meet, leaving one may lead behind another, each time less far.
 void put_inside(glm::dvec3& position, std::span<const Wall> walls)
 {
-    constexpr int most_rounds = 64;
+    constexpr int MAX_ROUNDS = 64;
     bool is_inside = false;
-    for (int round = 0; !is_inside && round < most_rounds; ++round) {
+    for (int round = 0; !is_inside && round < MAX_ROUNDS; ++round) {
         is_inside = true;
         for (const Wall& wall : walls) {
             const double distance = distance_to(wall, position);
             if (distance < 0.0) {
                 position -= wall.normal * distance;
-                is_inside = is_inside && distance > -rounding;
+                is_inside = is_inside && distance > -ROUNDING;
             }
         }
     }
@@ -47,7 +47,7 @@ void put_inside(glm::dvec3& position, std::span<const Wall> walls)
 void bounce(glm::dvec3& velocity, const Wall& wall, double speed_towards)
 {
     const double speed_away = speed_towards * wall.restitution;
-    const bool rests = speed_away <= slowest_bounce;
+    const bool rests = speed_away <= MIN_BOUNCE_SPEED;
     const double turned = speed_towards + (rests ? 0.0 : speed_away);
     glm::dvec3 along = velocity + wall.normal * speed_towards;
     const double speed_along = glm::length(along);
@@ -64,7 +64,7 @@ Fate touch_walls(Motion& motion, const glm::dvec3& acceleration, std::span<const
             continue;
         }
         const double speed = glm::dot(wall.normal, motion.velocity);
-        const bool is_pressed = speed <= slowest_leaving && glm::dot(wall.normal, acceleration) < 0.0;
+        const bool is_pressed = speed <= MIN_LEAVING_SPEED && glm::dot(wall.normal, acceleration) < 0.0;
         if (speed >= 0.0 && !is_pressed) {
             continue;
         }
@@ -93,29 +93,29 @@ struct Push
     glm::dvec3 sliding{0.0};  ///< the direction in which it does, length 1
 };
 
-constexpr double never = 1e300;
+constexpr double NEVER = 1e300;
 
 /// The walls that a particle rests on push back just as much as keeps it from being pressed into any of them.
 /// Where several do, their shares are found by projected Gauss-Seidel (Catto, Iterative Dynamics, 2005).
 Push push_of(const Motion& motion, const Forces& forces, std::span<const Wall> walls)
 {
-    constexpr int most_rounds = 64;
-    Push push{.acceleration = forces.acceleration, .stops_after = never};
-    std::array<double, ParticleSettings::most_planes> shares{};
+    constexpr int MAX_ROUNDS = 64;
+    Push push{.acceleration = forces.acceleration, .stops_after = NEVER};
+    std::array<double, ParticleSettings::MAX_PLANES> shares{};
     bool is_settled = false;
-    for (int round = 0; !is_settled && round < most_rounds; ++round) {
+    for (int round = 0; !is_settled && round < MAX_ROUNDS; ++round) {
         is_settled = true;
         for (std::size_t i = 0; i < walls.size(); ++i) {
             const Wall& wall = walls[i];
             const double away = glm::dot(wall.normal, push.acceleration);
             if ((away >= 0.0 && shares[i] == 0.0) || !is_touched(wall, motion.position) ||
-                glm::dot(wall.normal, motion.velocity) > slowest_leaving) {
+                glm::dot(wall.normal, motion.velocity) > MIN_LEAVING_SPEED) {
                 continue;
             }
             const double change = std::max(-away, -shares[i]);
             shares[i] += change;
             push.acceleration += wall.normal * change;
-            is_settled = is_settled && std::abs(change) <= rounding * (1.0 + shares[i]);
+            is_settled = is_settled && std::abs(change) <= ROUNDING * (1.0 + shares[i]);
         }
     }
     double friction = 0.0;
@@ -127,14 +127,14 @@ Push push_of(const Motion& motion, const Forces& forces, std::span<const Wall> w
     }
     const double speed = glm::length(motion.velocity);
     const double pull = glm::length(push.acceleration);
-    if (speed <= slowest_leaving && pull <= friction) {
+    if (speed <= MIN_LEAVING_SPEED && pull <= friction) {
         push.holds_still = true;
         return push;
     }
-    push.sliding = speed > slowest_leaving ? motion.velocity / speed : push.acceleration / pull;
+    push.sliding = speed > MIN_LEAVING_SPEED ? motion.velocity / speed : push.acceleration / pull;
     push.acceleration -= push.sliding * friction;
     const double slowing = -glm::dot(push.sliding, push.acceleration);
-    if (speed > slowest_leaving && slowing > 0.0) {
+    if (speed > MIN_LEAVING_SPEED && slowing > 0.0) {
         push.stops_after =
             time_of_reach(forces.air_resistance, speed / (forces.air_resistance * speed + slowing));
     }
@@ -168,8 +168,8 @@ Flight flight_to_next_wall(const Motion& motion, const glm::dvec3& acceleration,
     for (const Wall& wall : walls) {
         const double distance = std::max(0.0, distance_to(wall, motion.position));
         const double speed = glm::dot(wall.normal, motion.velocity);
-        if (distance <= touching_distance && speed <= slowest_leaving) {
-            if (speed < -slowest_leaving) {
+        if (distance <= TOUCHING_DISTANCE && speed <= MIN_LEAVING_SPEED) {
+            if (speed < -MIN_LEAVING_SPEED) {
                 return flight(air_resistance, 0.0); // another wall has just sent it here
             }
             continue; // rests on it, slides along it or is lifted off it
@@ -206,18 +206,18 @@ std::optional<double> time_of_contact(double distance, double speed, double acce
     // Newton's method, from the side where the curve lies between its tangents and the axis: a bend away from
     // the plane is approached from its beginning, one towards it from the end. The times only go one way. A
     // step doubles the number of right digits, so that after a short one there is nothing left to do.
-    constexpr int most_steps = 100;
-    constexpr double short_step = 1e-9;
+    constexpr int MAX_STEPS = 100;
+    constexpr double SHORT_STEP = 1e-9;
     double time = bend > 0.0 ? 0.0 : limit.seconds;
     Flight so_far = bend > 0.0 ? flight(air_resistance, 0.0) : limit;
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < MAX_STEPS; ++i) {
         const double next = std::clamp(time - height(so_far) / slope(so_far), 0.0, limit.seconds);
         const double step = bend > 0.0 ? next - time : time - next;
         if (!(step > 0.0)) {
             break;
         }
         time = next;
-        if (step < short_step) {
+        if (step < SHORT_STEP) {
             break;
         }
         so_far = flight(air_resistance, time);
@@ -241,7 +241,7 @@ Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall>
     for (int contact = 0;; ++contact) {
         put_inside(motion.position, walls);
         const Fate fate = touch_walls(motion, forces.acceleration, walls);
-        if (fate != Fate::moves || seconds <= 0.0 || contact == most_contacts) {
+        if (fate != Fate::moves || seconds <= 0.0 || contact == MAX_CONTACTS) {
             return fate;
         }
         const Push push = push_of(motion, forces, walls);

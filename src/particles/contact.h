@@ -55,23 +55,23 @@ enum class Fate
 };
 
 /// Slower than this, in m/s, nothing bounces off a wall.
-constexpr double slowest_bounce = 0.05;
+constexpr double MIN_BOUNCE_SPEED = 0.05;
 
 /// After so many contacts in one flight the particle stays where it is for the rest of that time.
-constexpr int most_contacts = 16;
+constexpr int MAX_CONTACTS = 16;
 
 /// Moves a particle for a time among walls, touching each at its time.
 /// - Between contacts it flies exactly, so that one long flight is as good as many short ones.
 /// - A bounce turns the speed towards the wall round, times the restitution, and takes friction * (1 +
 ///   restitution) times that speed from the speed along the wall, at most all of it (Coulomb).
-/// - Slower than slowest_bounce it does not bounce but rests on the wall: it slides, against Coulomb
+/// - Slower than MIN_BOUNCE_SPEED it does not bounce but rests on the wall: it slides, against Coulomb
 ///   friction, while the forces press it there. Pushed sideways while it slides, it keeps the direction of
 ///   friction that it has at the beginning of the flight.
 /// - The energy of its motion never grows by a contact.
 /// - One that is behind a wall is first put on it, so that nothing is ever behind one afterwards, but for
 ///   rounding. Where walls leave no room in between, it is behind one of them.
 /// whole: the time, of the same air resistance; callers have it for many particles.
-/// Precondition: at most ParticleSettings::most_planes walls.
+/// Precondition: at most ParticleSettings::MAX_PLANES walls.
 Fate fly_among_walls(Motion& motion, const Forces& forces, std::span<const Wall> walls, const Flight& whole);
 
 } // namespace particles

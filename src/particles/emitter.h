@@ -14,8 +14,8 @@ namespace particles {
 /// Where particles begin, before the variances of the settings. Metres, m/s.
 struct Source
 {
-    glm::vec3 position{0.0F};
-    glm::vec3 velocity{0.0F};
+    glm::vec3 position{0.0f};
+    glm::vec3 velocity{0.0f};
 
     friend bool operator==(const Source&, const Source&) = default;
 };
@@ -50,7 +50,7 @@ class Emitter
 {
 public:
     /// How many bursts can be under way together.
-    static constexpr std::size_t most_bursts = 8;
+    static constexpr std::size_t MAX_BURSTS = 8;
 
     /// Makes the next release by itself due after at most so many seconds.
     void set_until_release_at_most(double seconds) { until_release_ = std::min(until_release_, seconds); }
@@ -59,7 +59,7 @@ public:
     /// of the oldest leaves now: it is handed to release(const Release&). Precondition: burst.count > 0.
     template <class Sink> void begin(const Burst& burst, Sink release)
     {
-        if (burst_count_ == most_bursts) {
+        if (burst_count_ == MAX_BURSTS) {
             const Burst& oldest = bursts_[0];
             release(Release{oldest.source, oldest.count - oldest.released, 0.0});
             forget(0);
@@ -68,7 +68,7 @@ public:
     }
 
     /// Hands what leaves within the next seconds to release(const Release&), bursts first.
-    /// Precondition: 0 <= seconds <= longest_life.
+    /// Precondition: 0 <= seconds <= MAX_LIFE.
     template <class Sink> void advance(const ParticleSettings& settings, double seconds, Sink release)
     {
         for (std::size_t i = 0; i < burst_count_;) {
@@ -110,7 +110,7 @@ private:
     }
 
     double until_release_ = 0.0; ///< seconds to the next release by itself
-    std::array<Burst, most_bursts> bursts_{};
+    std::array<Burst, MAX_BURSTS> bursts_{};
     std::size_t burst_count_ = 0;
 };
 

@@ -28,10 +28,10 @@ struct Flight
 inline Flight flight(double air_resistance, double seconds)
 {
     // The first term left out is 2^-40 / 10!, beside 1 / 2!.
-    constexpr double longest_series = 1.0 / 32.0;
+    constexpr double MAX_SERIES = 1.0 / 32.0;
     int doublings = 0;
     double part = seconds;
-    while (air_resistance * part > longest_series) {
+    while (air_resistance * part > MAX_SERIES) {
         part *= 0.5;
         ++doublings;
     }

@@ -13,8 +13,8 @@ namespace particles {
 namespace {
 
 using ThreeQuantities = std::array<ParticleStore::Quantity, 3>;
-constexpr ThreeQuantities positions{ParticleStore::x, ParticleStore::y, ParticleStore::z};
-constexpr ThreeQuantities velocities{ParticleStore::velocity_x, ParticleStore::velocity_y,
+constexpr ThreeQuantities POSITIONS{ParticleStore::x, ParticleStore::y, ParticleStore::z};
+constexpr ThreeQuantities VELOCITIES{ParticleStore::velocity_x, ParticleStore::velocity_y,
                                      ParticleStore::velocity_z};
 
 class BlockMover
@@ -53,7 +53,7 @@ public:
     bool has_recycled() const { return has_recycled_; }
 
 private:
-    using Values = std::array<float, block_size>;
+    using Values = std::array<float, BLOCK_SIZE>;
 
     float* values(ParticleStore::Quantity quantity) { return store_.array(quantity) + begin_; }
 
@@ -62,14 +62,14 @@ private:
     void fly()
     {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            move_block(values(positions[axis]), values(velocities[axis]), count_, axes_[axis]);
+            move_block(values(POSITIONS[axis]), values(VELOCITIES[axis]), count_, axes_[axis]);
         }
     }
 
     void fly_and_remember()
     {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            move_block(values(positions[axis]), values(velocities[axis]), old_positions_[axis].data(),
+            move_block(values(POSITIONS[axis]), values(VELOCITIES[axis]), old_positions_[axis].data(),
                        old_velocities_[axis].data(), count_, axes_[axis]);
         }
     }
@@ -80,13 +80,13 @@ private:
         bool any = false;
         for (const Wall& wall : walls_) {
             const glm::vec3 normal{wall.normal};
-            any |= mark_outside(now(positions), marks_.data(), count_, normal,
+            any |= mark_outside(now(POSITIONS), marks_.data(), count_, normal,
                                 static_cast<float>(wall.offset), adds);
             adds = true;
             if (glm::dot(wall.normal, forces_.acceleration) > 0.0) {
                 const Vectors before{old_velocities_[0].data(), old_velocities_[1].data(),
                                      old_velocities_[2].data()};
-                any |= mark_turned(before, now(velocities), marks_.data(), count_, normal);
+                any |= mark_turned(before, now(VELOCITIES), marks_.data(), count_, normal);
             }
         }
         return any;
@@ -121,7 +121,7 @@ private:
     int count_ = 0;
     std::array<Values, 3> old_positions_;
     std::array<Values, 3> old_velocities_;
-    std::array<std::int32_t, block_size> marks_{};
+    std::array<std::int32_t, BLOCK_SIZE> marks_{};
     bool has_recycled_ = false;
 };
 
@@ -131,10 +131,10 @@ std::size_t move_all(ParticleStore& store, const Forces& forces, std::span<const
 {
     BlockMover mover(store, forces, walls, seconds);
     const std::size_t end = store.live();
-    for (std::size_t begin = store.stuck(); begin < end; begin += block_size) {
-        mover.move(begin, std::min(block_size, end - begin));
+    for (std::size_t begin = store.stuck(); begin < end; begin += BLOCK_SIZE) {
+        mover.move(begin, std::min(BLOCK_SIZE, end - begin));
     }
-    return mover.has_recycled() ? store.age_all(0.0F) : 0;
+    return mover.has_recycled() ? store.age_all(0.0f) : 0;
 }
 
 } // namespace particles

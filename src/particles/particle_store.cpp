@@ -13,8 +13,8 @@ void ParticleStore::set_capacity(std::size_t places)
         return;
     }
     const std::size_t kept = std::min(live_, places);
-    std::vector<float> storage(places * quantities);
-    for (std::size_t i = 0; i < quantities; ++i) {
+    std::vector<float> storage(places * QUANTITY_COUNT);
+    for (std::size_t i = 0; i < QUANTITY_COUNT; ++i) {
         std::copy_n(array(static_cast<Quantity>(i)), kept, storage.data() + i * places);
     }
     storage_ = std::move(storage);
@@ -71,7 +71,7 @@ std::size_t ParticleStore::age_all(float seconds)
     float* const ages = array(age);
     const float* const lives = array(life);
     for (std::size_t end = before; end > 0;) {
-        const std::size_t begin = (end - 1) / block_size * block_size;
+        const std::size_t begin = (end - 1) / BLOCK_SIZE * BLOCK_SIZE;
         if (age_block(ages + begin, lives + begin, static_cast<int>(end - begin), seconds)) {
             for (std::size_t place = end; place-- > begin;) {
                 if (ages[place] >= lives[place]) {
@@ -95,7 +95,7 @@ bool operator==(const ParticleStore& a, const ParticleStore& b)
     if (a.capacity_ != b.capacity_ || a.live_ != b.live_ || a.stuck_ != b.stuck_) {
         return false;
     }
-    for (std::size_t i = 0; i < ParticleStore::quantities; ++i) {
+    for (std::size_t i = 0; i < ParticleStore::QUANTITY_COUNT; ++i) {
         const auto quantity = static_cast<ParticleStore::Quantity>(i);
         if (!std::equal(a.array(quantity), a.array(quantity) + a.live_, b.array(quantity))) {
             return false;
@@ -108,7 +108,7 @@ void ParticleStore::copy(std::size_t from, std::size_t to)
 {
     float* values = storage_.data();
     const std::size_t next = capacity_;
-    for (std::size_t i = 0; i < quantities; ++i, values += next) {
+    for (std::size_t i = 0; i < QUANTITY_COUNT; ++i, values += next) {
         values[to] = values[from];
     }
 }

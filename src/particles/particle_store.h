@@ -35,7 +35,7 @@ public:
         age,
         life,
     };
-    static constexpr std::size_t quantities = 8;
+    static constexpr std::size_t QUANTITY_COUNT = 8;
 
     /// Changes the number of places; the only function that allocates. Those who find no place are dropped.
     void set_capacity(std::size_t places);

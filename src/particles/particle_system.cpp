@@ -46,7 +46,7 @@ bool ParticleSystem::step(double seconds)
     if (!(seconds >= 0.0 && seconds <= std::numeric_limits<double>::max())) {
         return false;
     }
-    seconds = std::min(seconds, longest_life);
+    seconds = std::min(seconds, MAX_LIFE);
     counts_.ended += store_.age_all(static_cast<float>(seconds));
     counts_.ended += move_all(store_, forces(), walls(), seconds);
     emitter_.advance(settings_, seconds, [this](const Release& due) { release(due); });
@@ -127,7 +127,7 @@ void ParticleSystem::release(const Release& release)
         }
         Motion motion{glm::dvec3{release.source.position}, glm::dvec3{release.source.velocity}};
         motion.velocity += random.in_ball() * settings_.velocity_variance;
-        if (settings_.position_variance != glm::vec3{0.0F}) {
+        if (settings_.position_variance != glm::vec3{0.0f}) {
             motion.position += random.in_cube() * glm::dvec3{settings_.position_variance};
         }
         const Fate fate = fly_among_walls(motion, pushing, walls(), whole);

@@ -48,12 +48,12 @@ public:
     /// Advances by some seconds: what lives ages, ends or moves; what is due is released.
     /// Motion is exact, so the length of steps does not matter, but for rounding and for which particles
     /// find a place where there are too few. The time cost is that of the living and of what is due.
-    /// More than longest_life is taken as that: all that lived before is over then.
+    /// More than MAX_LIFE is taken as that: all that lived before is over then.
     /// False, and nothing happens, when seconds is negative, infinite or not a number.
     bool step(double seconds);
 
     /// Releases `count` particles, the first at once in the next step, the others evenly within a release
-    /// interval. Above Emitter::most_bursts at a time, the oldest one's rest is released now.
+    /// interval. Above Emitter::MAX_BURSTS at a time, the oldest one's rest is released now.
     /// False, and nothing happens, when the count is negative or the source is not valid: see
     /// is_valid_source().
     bool burst(int count, const glm::vec3& position, const glm::vec3& velocity);
@@ -91,7 +91,7 @@ private:
 
     ParticleSettings settings_;
     ColourTable colours_{}; ///< of the settings
-    std::array<Wall, ParticleSettings::most_planes> walls_{};
+    std::array<Wall, ParticleSettings::MAX_PLANES> walls_{};
     std::uint64_t seed_ = 1;
     Emitter emitter_;
     ParticleCounts counts_;

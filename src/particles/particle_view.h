@@ -26,7 +26,7 @@ struct ParticleView
     SizeRamp size_ramp;
     TextureKind texture = TextureKind::soft_dot;
     Blending blending = Blending::additive;
-    float streak_time = 0.0F;
+    float streak_time = 0.0f;
 
     std::size_t count() const { return x.size(); }
     glm::vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
@@ -38,7 +38,7 @@ struct ParticleView
     /// Returns its colour now.
     Rgba colour(std::size_t i) const
     {
-        const float step = part_lived(i) * static_cast<float>(colour_ramp.size() - 1) + 0.5F;
+        const float step = part_lived(i) * static_cast<float>(colour_ramp.size() - 1) + 0.5f;
         return colour_ramp[static_cast<std::size_t>(step)];
     }
 

@@ -7,39 +7,39 @@ namespace particles {
 
 namespace {
 
-constexpr float earth = -9.81F; // m/s^2
+constexpr float EARTH_GRAVITY = -9.81f; // m/s^2
 
-const ColourRamp fire{.start = {1.0F, 0.95F, 0.7F, 1.0F},
-                      .middle = {1.0F, 0.45F, 0.1F, 0.8F},
-                      .end = {0.35F, 0.05F, 0.02F, 0.0F},
-                      .middle_at = 0.35F};
+const ColourRamp fire{.start = {1.0f, 0.95f, 0.7f, 1.0f},
+                      .middle = {1.0f, 0.45f, 0.1f, 0.8f},
+                      .end = {0.35f, 0.05f, 0.02f, 0.0f},
+                      .middle_at = 0.35f};
 
-const ColourRamp water{.start = {0.85F, 0.93F, 1.0F, 0.8F},
-                       .middle = {0.45F, 0.65F, 1.0F, 0.5F},
-                       .end = {0.2F, 0.35F, 0.9F, 0.0F}};
+const ColourRamp water{.start = {0.85f, 0.93f, 1.0f, 0.8f},
+                       .middle = {0.45f, 0.65f, 1.0f, 0.5f},
+                       .end = {0.2f, 0.35f, 0.9f, 0.0f}};
 
-const ColourRamp starlight{.start = {0.2F, 0.3F, 0.8F, 0.0F},
-                           .middle = {0.9F, 0.9F, 1.0F, 0.9F},
-                           .end = {0.6F, 0.2F, 0.7F, 0.0F},
-                           .middle_at = 0.3F};
+const ColourRamp starlight{.start = {0.2f, 0.3f, 0.8f, 0.0f},
+                           .middle = {0.9f, 0.9f, 1.0f, 0.9f},
+                           .end = {0.6f, 0.2f, 0.7f, 0.0f},
+                           .middle_at = 0.3f};
 
-const ColourRamp paint_spot{.start = {0.95F, 0.75F, 0.1F, 1.0F},
-                            .middle = {0.9F, 0.25F, 0.2F, 1.0F},
-                            .end = {0.75F, 0.1F, 0.35F, 0.0F},
-                            .middle_at = 0.6F};
+const ColourRamp paint_spot{.start = {0.95f, 0.75f, 0.1f, 1.0f},
+                            .middle = {0.9f, 0.25f, 0.2f, 1.0f},
+                            .end = {0.75f, 0.1f, 0.35f, 0.0f},
+                            .middle_at = 0.6f};
 
 // Steel: white-hot, then orange, dark when it goes out.
-const ColourRamp hot_metal{.start = {1.0F, 0.98F, 0.9F, 1.0F},
-                           .middle = {1.0F, 0.55F, 0.12F, 0.9F},
-                           .end = {0.25F, 0.04F, 0.0F, 0.0F},
-                           .middle_at = 0.35F};
+const ColourRamp hot_metal{.start = {1.0f, 0.98f, 0.9f, 1.0f},
+                           .middle = {1.0f, 0.55f, 0.12f, 0.9f},
+                           .end = {0.25f, 0.04f, 0.0f, 0.0f},
+                           .middle_at = 0.35f};
 
 const CollisionPlane ground{
-    .normal = {0.0F, 1.0F, 0.0F}, .point = {0.0F, 0.0F, 0.0F}, .restitution = 0.45F, .friction = 0.3F};
+    .normal = {0.0f, 1.0f, 0.0f}, .point = {0.0f, 0.0f, 0.0f}, .restitution = 0.45f, .friction = 0.3f};
 
 constexpr CollisionPlane wall(glm::vec3 normal, glm::vec3 point)
 {
-    return {.normal = normal, .point = point, .restitution = 0.8F, .friction = 0.05F};
+    return {.normal = normal, .point = point, .restitution = 0.8f, .friction = 0.05f};
 }
 
 /// What sparks and their shower share.
@@ -47,12 +47,12 @@ ParticleSettings spark()
 {
     return {.life = 0.5,
             .life_variance = 0.5,
-            .size = {0.05F, 0.02F},
+            .size = {0.05f, 0.02f},
             .colour = hot_metal,
             .texture = TextureKind::streak,
             .blending = Blending::additive,
             .streak_time = 0.03,
-            .gravity = {0.0F, earth, 0.0F},
+            .gravity = {0.0f, EARTH_GRAVITY, 0.0f},
             .air_resistance = 1.5,
             .planes = {ground},
             .plane_count = 1};
@@ -76,7 +76,7 @@ ParticleSettings shower()
     settings.maximum_particles = 64;
     settings.release_count = 3;
     settings.release_interval = 0.04;
-    settings.size = {0.035F, 0.015F};
+    settings.size = {0.035f, 0.015f};
     settings.velocity_variance = 3.5;
     return settings;
 }
@@ -93,11 +93,11 @@ std::array<Preset, 8> make_table()
           .release_interval = 1.5,
           .life = 1.2,
           .life_variance = 0.4,
-          .size = {0.5F, 0.2F},
+          .size = {0.5f, 0.2f},
           .colour = fire,
-          .position = {0.0F, 4.0F, 0.0F},
+          .position = {0.0f, 4.0f, 0.0f},
           .velocity_variance = 10.0,
-          .gravity = {0.0F, -2.0F, 0.0F},
+          .gravity = {0.0f, -2.0f, 0.0f},
           .air_resistance = 2.0}},
         {PresetName::fountain,
          "fountain",
@@ -106,12 +106,12 @@ std::array<Preset, 8> make_table()
          {.maximum_particles = 500,
           .release_count = 5,
           .life = 4.0,
-          .size = {0.12F, 0.3F},
+          .size = {0.12f, 0.3f},
           .colour = water,
-          .velocity = {0.0F, 9.0F, 0.0F},
+          .velocity = {0.0f, 9.0f, 0.0f},
           .velocity_variance = 1.5,
-          .gravity = {0.0F, -4.0F, 0.0F},
-          .wind = {2.0F, 0.0F, 0.0F},
+          .gravity = {0.0f, -4.0f, 0.0f},
+          .wind = {2.0f, 0.0f, 0.0f},
           .air_resistance = 0.5,
           .planes = {CollisionPlane{.response = ContactResponse::recycle}},
           .plane_count = 1}},
@@ -122,9 +122,9 @@ std::array<Preset, 8> make_table()
          {.maximum_particles = 2048,
           .release_count = 10,
           .life = 5.0,
-          .size = {0.15F, 0.15F},
+          .size = {0.15f, 0.15f},
           .colour = starlight,
-          .position = {0.0F, 4.0F, 0.0F},
+          .position = {0.0f, 4.0f, 0.0f},
           .velocity_variance = 2.0}},
         {PresetName::paint,
          "paint",
@@ -133,16 +133,16 @@ std::array<Preset, 8> make_table()
          {.maximum_particles = 700,
           .release_count = 10,
           .life = 3.0,
-          .size = {0.15F, 0.3F},
+          .size = {0.15f, 0.3f},
           .colour = paint_spot,
           .blending = Blending::over,
-          .position = {0.0F, 1.5F, 0.0F},
-          .velocity = {0.0F, 5.0F, 0.0F},
+          .position = {0.0f, 1.5f, 0.0f},
+          .velocity = {0.0f, 5.0f, 0.0f},
           .velocity_variance = 2.5,
-          .wind = {0.0F, 0.0F, -20.0F},
+          .wind = {0.0f, 0.0f, -20.0f},
           .air_resistance = 0.8,
-          .planes = {CollisionPlane{.normal = {0.0F, 0.0F, 1.0F},
-                                    .point = {0.0F, 0.0F, -5.0F},
+          .planes = {CollisionPlane{.normal = {0.0f, 0.0f, 1.0f},
+                                    .point = {0.0f, 0.0f, -5.0f},
                                     .response = ContactResponse::stick}},
           .plane_count = 1}},
         {PresetName::bounce,
@@ -152,14 +152,14 @@ std::array<Preset, 8> make_table()
          {.maximum_particles = 1000,
           .release_count = 10,
           .life = 5.0,
-          .size = {0.2F, 0.15F},
+          .size = {0.2f, 0.15f},
           .colour = fire,
-          .position = {0.0F, 0.1F, 0.0F},
-          .velocity = {0.0F, 9.0F, 0.0F},
+          .position = {0.0f, 0.1f, 0.0f},
+          .velocity = {0.0f, 9.0f, 0.0f},
           .velocity_variance = 3.0,
-          .gravity = {0.0F, earth, 0.0F},
+          .gravity = {0.0f, EARTH_GRAVITY, 0.0f},
           .air_resistance = 0.1,
-          .planes = {CollisionPlane{.restitution = 0.7F, .friction = 0.1F}},
+          .planes = {CollisionPlane{.restitution = 0.7f, .friction = 0.1f}},
           .plane_count = 1}},
         {PresetName::box,
          "box",
@@ -168,16 +168,16 @@ std::array<Preset, 8> make_table()
          {.maximum_particles = 500,
           .release_count = 5,
           .life = 5.0,
-          .size = {0.2F, 0.15F},
+          .size = {0.2f, 0.15f},
           .colour = starlight,
-          .position = {0.0F, 1.0F, 0.0F},
-          .velocity = {0.0F, 6.0F, 0.0F},
+          .position = {0.0f, 1.0f, 0.0f},
+          .velocity = {0.0f, 6.0f, 0.0f},
           .velocity_variance = 8.0,
-          .gravity = {0.0F, earth, 0.0F},
+          .gravity = {0.0f, EARTH_GRAVITY, 0.0f},
           .planes =
-              {wall({0.0F, 1.0F, 0.0F}, {0.0F, 0.0F, 0.0F}), wall({0.0F, -1.0F, 0.0F}, {0.0F, 5.0F, 0.0F}),
-               wall({1.0F, 0.0F, 0.0F}, {-3.0F, 0.0F, 0.0F}), wall({-1.0F, 0.0F, 0.0F}, {3.0F, 0.0F, 0.0F}),
-               wall({0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -3.0F}), wall({0.0F, 0.0F, -1.0F}, {0.0F, 0.0F, 3.0F})},
+              {wall({0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.0f}), wall({0.0f, -1.0f, 0.0f}, {0.0f, 5.0f, 0.0f}),
+               wall({1.0f, 0.0f, 0.0f}, {-3.0f, 0.0f, 0.0f}), wall({-1.0f, 0.0f, 0.0f}, {3.0f, 0.0f, 0.0f}),
+               wall({0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, -3.0f}), wall({0.0f, 0.0f, -1.0f}, {0.0f, 0.0f, 3.0f})},
           .plane_count = 6}},
         {PresetName::sparks, "sparks", "Sparks of a hit", 100, sparks()},
         {PresetName::shower, "shower", "Shower of sparks while the projectile is inside", 0, shower()},
@@ -200,16 +200,6 @@ std::span<const Preset> presets()
 const Preset& preset(PresetName name)
 {
     return table()[static_cast<std::size_t>(name)];
-}
-
-std::optional<PresetName> preset_from_id(std::string_view id)
-{
-    for (const Preset& preset : table()) {
-        if (preset.id == id) {
-            return preset.name;
-        }
-    }
-    return std::nullopt;
 }
 
 } // namespace particles

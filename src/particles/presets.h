@@ -2,7 +2,6 @@
 
 #include "particles/settings.h"
 
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -36,8 +35,5 @@ std::span<const Preset> presets();
 
 /// Returns the row of a preset.
 const Preset& preset(PresetName name);
-
-/// Returns the preset with that id, or nothing. Case matters.
-std::optional<PresetName> preset_from_id(std::string_view id);
 
 } // namespace particles

@@ -17,7 +17,7 @@ public:
     /// Returns the next 64 bits.
     std::uint64_t next_bits()
     {
-        state_ += increment;
+        state_ += INCREMENT;
         return mixed(state_);
     }
 
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t increment = 0x9e3779b97f4a7c15; // 2^64 divided by the golden ratio, odd
+    static constexpr std::uint64_t INCREMENT = 0x9e3779b97f4a7c15; // 2^64 divided by the golden ratio, odd
 
     static std::uint64_t mixed(std::uint64_t bits)
     {

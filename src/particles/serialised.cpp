@@ -14,7 +14,7 @@ template <class Take> void write(Take& take, std::uint64_t value, int bytes = 8)
 // -0 equals 0, so both are written as 0.
 template <class Take> void write(Take& take, float value)
 {
-    write(take, __builtin_bit_cast(std::uint32_t, value == 0.0F ? 0.0F : value), 4);
+    write(take, __builtin_bit_cast(std::uint32_t, value == 0.0f ? 0.0f : value), 4);
 }
 
 template <class Take> void write(Take& take, double value)

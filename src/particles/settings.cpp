@@ -8,8 +8,8 @@ namespace particles {
 
 namespace {
 
-constexpr double farthest = 10'000.0;
-constexpr double fastest = 1'000.0;
+constexpr double MAX_DISTANCE = 10'000.0;
+constexpr double MAX_SPEED = 1'000.0;
 
 /// False for not-a-number, too.
 template <class Number> bool is_between(Number value, double minimum, double maximum)
@@ -31,8 +31,8 @@ bool is_colour(const glm::vec4& colour)
 
 bool is_box(const glm::vec3& half_sides)
 {
-    return is_within(half_sides, farthest) && half_sides.x >= 0.0F && half_sides.y >= 0.0F &&
-           half_sides.z >= 0.0F;
+    return is_within(half_sides, MAX_DISTANCE) && half_sides.x >= 0.0f && half_sides.y >= 0.0f &&
+           half_sides.z >= 0.0f;
 }
 
 /// A setting: what is allowed, in a test and in words. The sentence is "The " + name + " must be " + allowed.
@@ -43,18 +43,20 @@ struct Rule
     std::string_view allowed;
 };
 
-constexpr Rule rules[] = {
-    {[](const ParticleSettings& s) { return s.maximum_particles >= 0 && s.maximum_particles <= most_places; },
+constexpr Rule RULES[] = {
+    {[](const ParticleSettings& s) {
+         return s.maximum_particles >= 0 && s.maximum_particles <= MAX_PARTICLES;
+     },
      "maximum of particles", "from 0 to 1000000"},
-    {[](const ParticleSettings& s) { return s.release_count >= 0 && s.release_count <= most_places; },
+    {[](const ParticleSettings& s) { return s.release_count >= 0 && s.release_count <= MAX_PARTICLES; },
      "number to release", "from 0 to 1000000"},
     {[](const ParticleSettings& s) {
-         return is_between(s.release_interval, shortest_release_interval, longest_release_interval);
+         return is_between(s.release_interval, MIN_RELEASE_INTERVAL, MAX_RELEASE_INTERVAL);
      },
      "release interval", "from 0.001 to 60 seconds"},
-    {[](const ParticleSettings& s) { return s.release_count <= most_released_a_second * s.release_interval; },
+    {[](const ParticleSettings& s) { return s.release_count <= MAX_RELEASE_RATE * s.release_interval; },
      "number to release", "at most 1000000 a second, so smaller or at longer intervals"},
-    {[](const ParticleSettings& s) { return is_between(s.life, 0.0, longest_life); }, "life cycle",
+    {[](const ParticleSettings& s) { return is_between(s.life, 0.0, MAX_LIFE); }, "life cycle",
      "from 0 to 60 seconds"},
     {[](const ParticleSettings& s) { return is_between(s.life_variance, 0.0, 1.0); },
      "variance of the life cycle", "from 0 to 1"},
@@ -70,22 +72,22 @@ constexpr Rule rules[] = {
      "middle of the colour", "from 0 to 1 of the life cycle"},
     {[](const ParticleSettings& s) { return is_between(s.streak_time, 0.0, 10.0); }, "time of a streak",
      "from 0 to 10 seconds"},
-    {[](const ParticleSettings& s) { return is_within(s.position, farthest); }, "position",
+    {[](const ParticleSettings& s) { return is_within(s.position, MAX_DISTANCE); }, "position",
      "from -10000 to 10000 metres along each axis"},
     {[](const ParticleSettings& s) { return is_box(s.position_variance); }, "variance of the position",
      "from 0 to 10000 metres along each axis"},
-    {[](const ParticleSettings& s) { return is_within(s.velocity, fastest); }, "velocity",
+    {[](const ParticleSettings& s) { return is_within(s.velocity, MAX_SPEED); }, "velocity",
      "from -1000 to 1000 m/s along each axis"},
-    {[](const ParticleSettings& s) { return is_between(s.velocity_variance, 0.0, fastest); },
+    {[](const ParticleSettings& s) { return is_between(s.velocity_variance, 0.0, MAX_SPEED); },
      "variance of the velocity", "from 0 to 1000 m/s"},
     {[](const ParticleSettings& s) { return is_within(s.gravity, 1000.0); }, "gravity",
      "from -1000 to 1000 m/s^2 along each axis"},
-    {[](const ParticleSettings& s) { return is_within(s.wind, fastest); }, "wind",
+    {[](const ParticleSettings& s) { return is_within(s.wind, MAX_SPEED); }, "wind",
      "from -1000 to 1000 m/s along each axis"},
     {[](const ParticleSettings& s) { return is_between(s.air_resistance, 0.0, 1000.0); }, "air resistance",
      "from 0 to 1000 per second"},
     {[](const ParticleSettings& s) {
-         return s.plane_count >= 0 && s.plane_count <= static_cast<int>(ParticleSettings::most_planes);
+         return s.plane_count >= 0 && s.plane_count <= static_cast<int>(ParticleSettings::MAX_PLANES);
      },
      "number of collision planes", "from 0 to 6"},
 };
@@ -98,14 +100,14 @@ struct PlaneRule
     std::string_view allowed;
 };
 
-constexpr PlaneRule plane_rules[] = {
+constexpr PlaneRule PLANE_RULES[] = {
     {[](const CollisionPlane& plane) {
          // Its square must neither vanish nor overflow when the normal is brought to length 1.
          return is_within(plane.normal, 1000.0) &&
                 glm::dot(glm::dvec3{plane.normal}, glm::dvec3{plane.normal}) >= 1e-6;
      },
      "normal of a collision plane", "between 0.001 and 1000 long"},
-    {[](const CollisionPlane& plane) { return is_within(plane.point, farthest); },
+    {[](const CollisionPlane& plane) { return is_within(plane.point, MAX_DISTANCE); },
      "point of a collision plane", "from -10000 to 10000 metres along each axis"},
     {[](const CollisionPlane& plane) { return is_between(plane.restitution, 0.0, 1.0); },
      "restitution of a collision plane", "from 0 to 1"},
@@ -122,13 +124,13 @@ std::string sentence(std::string_view name, std::string_view allowed)
 
 std::string validate(const ParticleSettings& settings)
 {
-    for (const Rule& rule : rules) {
+    for (const Rule& rule : RULES) {
         if (!rule.is_kept(settings)) {
             return sentence(rule.name, rule.allowed);
         }
     }
     for (const CollisionPlane& plane : settings.used_planes()) {
-        for (const PlaneRule& rule : plane_rules) {
+        for (const PlaneRule& rule : PLANE_RULES) {
             if (!rule.is_kept(plane)) {
                 return sentence(rule.name, rule.allowed);
             }
@@ -139,7 +141,7 @@ std::string validate(const ParticleSettings& settings)
 
 bool is_valid_source(const glm::vec3& position, const glm::vec3& velocity)
 {
-    return is_within(position, farthest) && is_within(velocity, fastest);
+    return is_within(position, MAX_DISTANCE) && is_within(velocity, MAX_SPEED);
 }
 
 ParticleSettings moved(ParticleSettings settings, const glm::vec3& by)

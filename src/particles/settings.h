@@ -10,15 +10,15 @@
 namespace particles {
 
 /// The most places a system can have.
-constexpr int most_places = 1'000'000;
+constexpr int MAX_PARTICLES = 1'000'000;
 
 /// The most particles a second that a system can release by itself.
-constexpr double most_released_a_second = 1e6;
+constexpr double MAX_RELEASE_RATE = 1e6;
 
 /// The longest life of a particle, and the shortest and the longest release interval, in seconds.
-constexpr double longest_life = 60.0;
-constexpr double shortest_release_interval = 0.001;
-constexpr double longest_release_interval = 60.0;
+constexpr double MAX_LIFE = 60.0;
+constexpr double MIN_RELEASE_INTERVAL = 0.001;
+constexpr double MAX_RELEASE_INTERVAL = 60.0;
 
 /// Says what becomes of a particle that touches a plane.
 enum class ContactResponse : std::uint8_t
@@ -31,11 +31,11 @@ enum class ContactResponse : std::uint8_t
 /// Describes a plane that particles do not pass. Metres.
 struct CollisionPlane
 {
-    glm::vec3 normal{0.0F, 1.0F, 0.0F}; ///< to the side where the particles are; any length but 0
-    glm::vec3 point{0.0F};              ///< any point of the plane
+    glm::vec3 normal{0.0f, 1.0f, 0.0f}; ///< to the side where the particles are; any length but 0
+    glm::vec3 point{0.0f};              ///< any point of the plane
     ContactResponse response = ContactResponse::bounce;
-    float restitution = 0.5F; ///< speed away from the plane / speed towards it; 0 to 1
-    float friction = 0.0F;    ///< Coulomb's coefficient, when bouncing and when sliding; 0 to 10
+    float restitution = 0.5f; ///< speed away from the plane / speed towards it; 0 to 1
+    float friction = 0.0f;    ///< Coulomb's coefficient, when bouncing and when sliding; 0 to 10
 
     friend bool operator==(const CollisionPlane&, const CollisionPlane&) = default;
 };
@@ -44,10 +44,10 @@ struct CollisionPlane
 /// Red, green, blue and alpha from 0 to 1, not premultiplied.
 struct ColourRamp
 {
-    glm::vec4 start{1.0F};
-    glm::vec4 middle{1.0F};
-    glm::vec4 end{1.0F, 1.0F, 1.0F, 0.0F};
-    float middle_at = 0.5F; ///< the part of the life after which the middle is reached; 0 to 1
+    glm::vec4 start{1.0f};
+    glm::vec4 middle{1.0f};
+    glm::vec4 end{1.0f, 1.0f, 1.0f, 0.0f};
+    float middle_at = 0.5f; ///< the part of the life after which the middle is reached; 0 to 1
 
     friend bool operator==(const ColourRamp&, const ColourRamp&) = default;
 };
@@ -55,8 +55,8 @@ struct ColourRamp
 /// A particle's size over its life: a dot's diameter or a streak's width, in metres; straight in between.
 struct SizeRamp
 {
-    float start = 0.1F;
-    float end = 0.1F;
+    float start = 0.1f;
+    float end = 0.1f;
 
     friend bool operator==(const SizeRamp&, const SizeRamp&) = default;
 };
@@ -78,7 +78,7 @@ enum class Blending : std::uint8_t
 /// Holds all that can be set of a particle system. Metres, seconds; validate() says what is allowed.
 struct ParticleSettings
 {
-    static constexpr std::size_t most_planes = 6;
+    static constexpr std::size_t MAX_PLANES = 6;
 
     int maximum_particles = 100;    ///< how many places there are; 0: nothing is ever released
     int release_count = 1;          ///< released together at every release interval
@@ -93,15 +93,15 @@ struct ParticleSettings
     Blending blending = Blending::additive;
     double streak_time = 0.03; ///< a streak is as long as the way of this time, or since the release
 
-    glm::vec3 position{0.0F};
-    glm::vec3 position_variance{0.0F}; ///< half the sides of the box around it in which particles begin
-    glm::vec3 velocity{0.0F};
+    glm::vec3 position{0.0f};
+    glm::vec3 position_variance{0.0f}; ///< half the sides of the box around it in which particles begin
+    glm::vec3 velocity{0.0f};
     double velocity_variance = 0.0; ///< radius of the ball around it in which velocities begin, m/s
-    glm::vec3 gravity{0.0F};        ///< m/s^2
-    glm::vec3 wind{0.0F};           ///< the velocity of the air; without effect when there is no resistance
+    glm::vec3 gravity{0.0f};        ///< m/s^2
+    glm::vec3 wind{0.0f};           ///< the velocity of the air; without effect when there is no resistance
     double air_resistance = 0.0;    ///< 1/s: dv/dt = gravity - air_resistance * (v - wind)
 
-    std::array<CollisionPlane, most_planes> planes{};
+    std::array<CollisionPlane, MAX_PLANES> planes{};
     int plane_count = 0; ///< how many of them there are
 
     std::span<const CollisionPlane> used_planes() const

@@ -25,7 +25,7 @@ void set_camera(const app::CameraView& camera, int width, int height)
 {
     const double aspect = static_cast<double>(width) / static_cast<double>(height);
     const double from_bottom_to_top =
-        2.0 * std::atan(app::heightening(aspect) * std::tan(0.5 * camera.field_of_view));
+        2.0 * std::atan(app::vertical_fov_scale(aspect) * std::tan(0.5 * camera.field_of_view));
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
     gluPerspective(from_bottom_to_top * 180.0 / std::numbers::pi, aspect, camera.near_plane,
@@ -132,7 +132,7 @@ std::string SceneRenderer::load_tank(const assets::Assets& assets)
 
 void SceneRenderer::draw(const app::Frame& frame, int width, int height) const
 {
-    if (frame.pane_count == 1) {
+    if (frame.panes.size() == 1) {
         glViewport(0, 0, width, height);
         draw_view(frame, width, height);
         return;
@@ -142,7 +142,7 @@ void SceneRenderer::draw(const app::Frame& frame, int width, int height) const
     // scissors cut.
     const Enabled scissors(GL_SCISSOR_TEST);
     app::Frame view = frame;
-    for (const app::PaneInFrame& pane : frame.used_panes()) {
+    for (const app::PaneInFrame& pane : frame.panes) {
         const PanePixels pixels = pixels_of(pane, width, height);
         glViewport(pixels.x, pixels.y, pixels.width, pixels.height);
         glScissor(pixels.x, pixels.y, pixels.width, pixels.height);
@@ -182,7 +182,7 @@ void SceneRenderer::draw_tanks(const app::Frame& frame) const
     if (assets_->is_one_sided) {
         culling.emplace(GL_CULL_FACE);
     }
-    for (const app::TankInFrame& tank : frame.used_tanks()) {
+    for (const app::TankInFrame& tank : frame.tanks) {
         const TankDrawing drawing(tank_lists_, assets_->layout_of(tank.level), tank.joints, frame.parts);
         const glm::vec3 position(tank.position);
         if (tank.level == lod::Level::low && assets_->has_low_model) {

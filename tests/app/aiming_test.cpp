@@ -19,7 +19,7 @@ TEST(AimingTest, AimingFiresFromTheEyeThroughThePlaceInTheWindow)
         simulation.apply("aim_y", aim.y);
         const CameraView camera = camera_view(simulation.state(), simulation.assets());
         const ViewAxes axes = view_axes(camera);
-        ASSERT_EQ(simulation.apply("fire_at_aim", 1.0), "");
+        ASSERT_EQ(simulation.apply("fire_at_aim", 1.0).refusal, "");
         const Projectile& projectile = simulation.state().projectile;
         EXPECT_EQ(projectile.aim, glm::dvec2(0.0));
         EXPECT_LT(glm::distance(projectile.a, camera.eye), 0.001);
@@ -35,7 +35,7 @@ TEST(AimingTest, AimingFiresFromTheEyeThroughThePlaceInTheWindow)
     EXPECT_GT(simulation.touches(), 0u);
     open(simulation, "x=200&orbit=90&tilt=0&distance=400");
     simulation.apply("aim_x", 4.0);
-    EXPECT_NE(simulation.apply("fire_at_aim", 1.0), "");
+    EXPECT_NE(simulation.apply("fire_at_aim", 1.0).refusal, "");
     EXPECT_FALSE(simulation.state().shot.flies);
 }
 
@@ -58,7 +58,7 @@ TEST(AimingTest, DraggingMovesTheHandleUnderThePointer)
         handle_at(simulation.state(), simulation.assets(), glm::dvec2(start) + glm::dvec2(0.1, 0.0)));
     simulation.apply("aim_x", start.x + 0.1);
     simulation.apply("aim_y", start.y + 0.05);
-    ASSERT_EQ(simulation.apply("move_to_aim", 1.0), "");
+    ASSERT_EQ(simulation.apply("move_to_aim", 1.0).refusal, "");
     EXPECT_NEAR(seen().x, start.x + 0.1, 1e-4);
     EXPECT_NEAR(seen().y, start.y + 0.05, 1e-4);
     EXPECT_NEAR(seen().z, start.z, 1e-9);

@@ -74,7 +74,7 @@ TEST(CommandsTest, EveryChoiceHasAKeyThatGoesThroughAllOfThem)
             std::set<std::int64_t> seen;
             for (std::size_t i = 0; i < field.choices.size(); ++i) {
                 seen.insert(grid_value(field, state));
-                ASSERT_EQ(command.press(state, assets::tiny_assets()), "");
+                ASSERT_EQ(command.press(state, assets::tiny_assets()).refusal, "");
             }
             found = found || (seen.size() == field.choices.size() && state == State());
         }
@@ -96,12 +96,12 @@ TEST(CommandsTest, EveryKindHasWhatItNeeds)
     for (std::size_t i = 0; i < commands().size(); ++i) {
         const Command& command = commands()[i];
         EXPECT_EQ(command.kind == CommandKind::press, command.press != nullptr) << command.name;
-        EXPECT_EQ(command.kind == CommandKind::press, command.move_count == 0) << command.name;
+        EXPECT_EQ(command.kind == CommandKind::press, command.moves.empty()) << command.name;
         if (command.kind == CommandKind::hold) {
-            EXPECT_LT(i, MAXIMUM_HELD_COMMANDS);
+            EXPECT_LT(i, MAX_HELD_COMMANDS);
         }
         if (command.kind == CommandKind::hold || command.kind == CommandKind::add) {
-            for (const Move& move : command.used_moves()) {
+            for (const Move& move : command.moves) {
                 EXPECT_NE(move.rate, 0.0) << command.name;
             }
         }
@@ -114,18 +114,18 @@ TEST(CommandsTest, EveryFieldAndAliasCanBeSetByItsName)
         const Command* command = find_command(field.name);
         ASSERT_NE(command, nullptr) << field.name;
         EXPECT_EQ(command->kind, CommandKind::set);
-        ASSERT_EQ(command->move_count, 1u);
+        ASSERT_EQ(command->moves.size(), 1u);
         EXPECT_EQ(command->moves[0].field, field.id);
     }
     const Command* wheels = find_command("wheels");
     ASSERT_NE(wheels, nullptr);
-    EXPECT_EQ(wheels->move_count, 2u);
+    EXPECT_EQ(wheels->moves.size(), 2u);
 }
 
 TEST(CommandsTest, FieldsOfOneCommandHaveOneRange)
 {
     for (const Command& command : commands()) {
-        for (const Move& move : command.used_moves()) {
+        for (const Move& move : command.moves) {
             const Field& first = field(command.moves[0].field);
             EXPECT_EQ(field(move.field).minimum, first.minimum) << command.name;
             EXPECT_EQ(field(move.field).maximum, first.maximum) << command.name;
@@ -143,7 +143,7 @@ TEST(CommandsTest, EveryJointOfTheLabTurnsBothWaysByKeysAtOneRate)
         double sum = 0.0;
         int ways = 0;
         for (const Command& command : commands()) {
-            for (const Move& move : command.used_moves()) {
+            for (const Move& move : command.moves) {
                 if (command.kind == CommandKind::hold && move.field == id) {
                     EXPECT_NE(command.keys[0], Key::none) << command.name;
                     sum += move.rate;

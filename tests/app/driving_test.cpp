@@ -12,25 +12,25 @@ namespace {
 
 using tank::Joint;
 
-constexpr double pi = std::numbers::pi;
+constexpr double PI = std::numbers::pi;
 
 void hold(Simulation& simulation, std::initializer_list<std::string_view> commands, int ticks)
 {
     for (std::string_view command : commands) {
-        EXPECT_EQ(simulation.apply(command, 1.0), "");
+        EXPECT_EQ(simulation.apply(command, 1.0).refusal, "");
     }
     for (int tick = 0; tick < ticks; ++tick) {
         simulation.step();
     }
     for (std::string_view command : commands) {
-        EXPECT_EQ(simulation.apply(command, 0.0), "");
+        EXPECT_EQ(simulation.apply(command, 0.0).refusal, "");
     }
 }
 
 /// Returns an angle that has gone from one to another, less than half a turn.
 double turned(double from, double to)
 {
-    return std::remainder(to - from, 2.0 * pi);
+    return std::remainder(to - from, 2.0 * PI);
 }
 
 TEST(DrivingTest, GoesStraightAheadWhereTheTankFaces)
@@ -39,7 +39,7 @@ TEST(DrivingTest, GoesStraightAheadWhereTheTankFaces)
         Simulation simulation(assets::own_assets());
         simulation.apply("heading", heading);
         hold(simulation, {"drive_forward"}, TICKS_PER_SECOND);
-        const double angle = heading * pi / 180.0;
+        const double angle = heading * PI / 180.0;
         EXPECT_NEAR(simulation.state().x, 5.0 * std::sin(angle), 1e-4);
         EXPECT_NEAR(simulation.state().z, 5.0 * std::cos(angle), 1e-4);
         hold(simulation, {"drive_backward"}, TICKS_PER_SECOND);

@@ -34,7 +34,6 @@ State random_state(std::mt19937_64& random)
     }
     state.tick = random() % 1000;
     state.held[random() % 8] = true;
-    state.revision.count = random() % 1000;
     return state;
 }
 

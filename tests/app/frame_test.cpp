@@ -72,7 +72,7 @@ TEST(FrameTest, TheTankIsDrawnAsTheStateHasIt)
     State state;
     open_link(state, "x=3&z=4&turret=30&gun=5&wheels=7&heading=-20&ground=off");
     const Frame frame = make_frame(state, assets::tiny_assets());
-    ASSERT_EQ(frame.used_tanks().size(), 1u);
+    ASSERT_EQ(frame.tanks.size(), 1u);
     EXPECT_EQ(frame.tanks[0].joints, state.joints);
     EXPECT_EQ(frame.tanks[0].position, glm::dvec3(3, 0, 4));
     EXPECT_EQ(frame.tanks[0].level, lod::Level::high);
@@ -98,7 +98,7 @@ TEST(FrameTest, TheNearPlaneCutsNeitherGroundNorTankOff)
     std::mt19937_64 random(37);
     for (int i = 0; i < 5000; ++i) {
         const Frame frame = make_frame(random_state(random), assets::tiny_assets());
-        for (const PaneInFrame& pane : frame.used_panes()) {
+        for (const PaneInFrame& pane : frame.panes) {
             const CameraView& camera = pane.camera;
             const double distance = glm::distance(camera.eye, camera.centre);
             const double tilt = std::asin((camera.eye.y - camera.centre.y) / distance);

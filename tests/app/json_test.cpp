@@ -1,4 +1,5 @@
-#include "app/report/json.h"
+#include "app/report/state_json.h"
+#include "app/report/tables_json.h"
 #include "mesh/obj_reader.h"
 
 #include "app/commands/commands.h"
@@ -38,7 +39,7 @@ TEST(JsonTest, StateHasEveryFieldInUnitsForPeople)
     EXPECT_EQ(read["distance"], 40.0);
     EXPECT_EQ(read["ground"], "off");
     EXPECT_EQ(read["tick"], 1.0);
-    EXPECT_EQ(read["revision"], static_cast<double>(state.revision.count));
+    EXPECT_EQ(read["revision"], 0);
     EXPECT_EQ(read["link"], link(state));
     EXPECT_EQ(read["task"], "1.2");
     EXPECT_TRUE(read["figure"].is_null());
@@ -64,6 +65,47 @@ TEST(JsonTest, EveryStateGivesJson)
     for (int i = 0; i < 1000; ++i) {
         ASSERT_FALSE(parsed_json(state_json(random_state(random), &assets::tiny_assets())).is_discarded());
     }
+}
+
+TEST(JsonTest, StatusHasWhatIsShownAtAllTimesAndNothingThatTakesLong)
+{
+    Simulation simulation(assets::own_assets());
+    simulation.open_link("task=3.1");
+    simulation.apply("turret_left", 1.0);
+    const json read = parsed(status_json(simulation));
+    EXPECT_EQ(read["task"], "3.1");
+    EXPECT_EQ(read["detail"], "both");
+    EXPECT_EQ(read["level"], "high");
+    EXPECT_EQ(read["held"], json({"turret_left"}));
+    EXPECT_EQ(read["flies"], false);
+    EXPECT_EQ(read["sparks"], 0);
+    EXPECT_EQ(read["revision"], simulation.revision());
+    EXPECT_EQ(read["printed"], simulation.log().count());
+    std::size_t faces = 0;
+    for (const tank::PartPlacement& placement : assets::own_assets().layout.parts) {
+        faces += assets::own_assets().high[tank::index_of(placement.mesh)].faces.size();
+        faces += assets::own_assets().low[tank::index_of(placement.mesh)].faces.size();
+    }
+    EXPECT_EQ(read["triangles"], faces);
+    for (const char* costly : {"hash", "hits", "evidence", "link"}) {
+        EXPECT_FALSE(read.contains(costly)) << costly;
+    }
+}
+
+TEST(JsonTest, WhatIsAskedForApartIsWhatTheWholeStateHas)
+{
+    Simulation simulation(assets::own_assets());
+    simulation.open_link("task=2.3");
+    const json whole = parsed(state_json(simulation));
+    const json fields_read = parsed(fields_json(simulation.state()));
+    EXPECT_EQ(fields_read.size(), fields().size());
+    for (const auto& [name, value] : fields_read.items()) {
+        EXPECT_EQ(value, whole[name]) << name;
+    }
+    const json evidence = parsed(evidence_json(simulation));
+    EXPECT_EQ(evidence["evidence"], whole["evidence"]);
+    EXPECT_EQ(evidence["moving"], whole["moving"]);
+    EXPECT_EQ(evidence["axis"], whole["axis"]);
 }
 
 TEST(JsonTest, CommandsHaveTheirKeysGroupsAndRanges)
@@ -131,8 +173,8 @@ TEST(JsonTest, ManifestNamesTenMeshesAndTheTextures)
     EXPECT_EQ(read["meshes"].size(), 10u);
     EXPECT_EQ(read["meshes"][0], "tankbody.obj");
     EXPECT_EQ(read["texture"].size(), 3u);
-    EXPECT_EQ(read["largest_mesh"], double(mesh::max_obj_bytes));
-    EXPECT_EQ(read["largest_texture"], double(image::max_image_file_bytes));
+    EXPECT_EQ(read["largest_mesh"], double(mesh::MAX_OBJ_BYTES));
+    EXPECT_EQ(read["largest_texture"], double(image::MAX_IMAGE_FILE_BYTES));
 }
 
 TEST(JsonTest, WhatCameOfAUsersTankIsASentenceOrNotes)

@@ -1,6 +1,8 @@
 #include "app/commands/keys.h"
 
 #include <gtest/gtest.h>
+#include <set>
+#include <string_view>
 
 namespace app {
 namespace {
@@ -29,20 +31,19 @@ TEST(KeysTest, NumbersAreThoseOfUsbHid)
     EXPECT_EQ(static_cast<int>(Key::keypad_plus), 0x57);
 }
 
-TEST(KeysTest, EveryNumberWithAKeyHasANameOfItsOwnThatLeadsBack)
+TEST(KeysTest, EveryNumberWithAKeyHasANameOfItsOwn)
 {
-    int found = 0;
+    std::set<std::string_view> codes;
     for (int number = 1; number < 300; ++number) {
         const Key key = key_from_number(number);
         if (key == Key::none) {
             continue;
         }
-        ++found;
         EXPECT_EQ(static_cast<int>(key), number);
         EXPECT_FALSE(key_label(key).empty());
-        EXPECT_EQ(key_from_code(key_code(key)), key) << key_code(key);
+        EXPECT_TRUE(codes.insert(key_code(key)).second) << key_code(key);
     }
-    EXPECT_EQ(found, 26 + 10 + 7 + 2 + 9 + 2);
+    EXPECT_EQ(codes.size(), 26u + 10 + 7 + 2 + 9 + 2);
 }
 
 TEST(KeysTest, NamesAreTheBrowsers)
@@ -51,8 +52,6 @@ TEST(KeysTest, NamesAreTheBrowsers)
     EXPECT_EQ(key_code(Key::digit_0), "Digit0");
     EXPECT_EQ(key_code(Key::up), "ArrowUp");
     EXPECT_EQ(key_code(Key::keypad_plus), "NumpadAdd");
-    EXPECT_EQ(key_from_code("F1"), Key::none);
-    EXPECT_EQ(key_from_code(""), Key::none);
     EXPECT_EQ(key_from_number(0), Key::none);
     EXPECT_EQ(key_from_number(-5), Key::none);
     EXPECT_EQ(key_code(Key::none), "");

@@ -41,7 +41,7 @@ inline std::string broken_state(const State& state)
         }
     }
     const std::string text = link(state);
-    if (text.size() > LONGEST_LINK) {
+    if (text.size() > MAX_LINK_BYTES) {
         return "a state has a link that is too long: " + text;
     }
     const State snap = snapped(state);

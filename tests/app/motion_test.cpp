@@ -1,6 +1,6 @@
 #include "app/simulation/motion.h"
 
-#include "app/report/json.h"
+#include "app/report/state_json.h"
 #include "app/simulation/simulation.h"
 #include "fixtures.h"
 
@@ -52,15 +52,15 @@ TEST_F(MotionTest, EndsSoonAfterTheKeyIsLetGoAndIsDrawnOnceMore)
     int ticks = 0;
     std::uint64_t before = 0;
     for (; ticks < 60 && !rests(); ++ticks) {
-        before = simulation.state().revision.count;
+        before = simulation.revision();
         step(1);
     }
     EXPECT_GT(ticks, 5); // a drag comes in jumps
     EXPECT_LT(ticks, 30);
-    EXPECT_GT(simulation.state().revision.count, before); // the page is told
-    const std::uint64_t at_rest = simulation.state().revision.count;
+    EXPECT_GT(simulation.revision(), before); // the page is told
+    const std::uint64_t at_rest = simulation.revision();
     step(60);
-    EXPECT_EQ(simulation.state().revision.count, at_rest);
+    EXPECT_EQ(simulation.revision(), at_rest);
 }
 
 TEST_F(MotionTest, EndsAtALimit)

@@ -1,7 +1,7 @@
 // A simulation whose tank becomes another one while it runs.
 #include "app/simulation/simulation.h"
 
-#include "app/report/json.h"
+#include "app/report/state_json.h"
 #include "assets/users_tank.h"
 #include "original_set.h"
 
@@ -36,9 +36,9 @@ TEST(SimulationTankTest, ShowsTheUsersTankWhereTheStateAsksForItAndOursElsewhere
     Simulation simulation(assets::own_assets());
     EXPECT_FALSE(simulation.has_own_tank());
     simulation.apply("turret", 30.0);
-    simulation.bring(&users_assets());
+    simulation.set_user_tank(&users_assets());
     EXPECT_EQ(&simulation.assets(), &assets::own_assets()); // it was not asked for
-    EXPECT_EQ(simulation.apply("tank", 1), "");
+    EXPECT_EQ(simulation.apply("tank", 1).refusal, "");
     EXPECT_EQ(&simulation.assets(), &users_assets());
     EXPECT_TRUE(spheres_are_of(simulation, users_assets()));
     EXPECT_EQ(link(simulation.state()), "turret=30&tank=own"); // the pose is kept
@@ -53,12 +53,12 @@ TEST(SimulationTankTest, ALinkThatNeedsTheUsersFilesWaitsForThemWithItsStateKept
     EXPECT_TRUE(simulation.open_link("turret=-20&tank=own&probe=point").messages.empty());
     EXPECT_TRUE(simulation.lacks_own_tank());
     EXPECT_EQ(&simulation.assets(), &assets::own_assets());
-    const std::uint64_t revision = simulation.state().revision.count;
-    simulation.bring(&users_assets());
+    const std::uint64_t revision = simulation.revision();
+    simulation.set_user_tank(&users_assets());
     EXPECT_FALSE(simulation.lacks_own_tank());
     EXPECT_EQ(&simulation.assets(), &users_assets());
     EXPECT_TRUE(spheres_are_of(simulation, users_assets()));
-    EXPECT_GT(simulation.state().revision.count, revision);
+    EXPECT_GT(simulation.revision(), revision);
     EXPECT_EQ(link(simulation.state()), "turret=-20&probe=point&tank=own");
 }
 
@@ -67,9 +67,9 @@ TEST(SimulationTankTest, WhatALinkHasUnderWayGoesAsIfTheFilesHadBeenThere)
     constexpr const char* LINK = "tank=own&event=fire&tick=40&seed=7&point_x=0&point_y=2&point_z=9";
     Simulation late(assets::own_assets());
     late.open_link(LINK);
-    late.bring(&users_assets());
+    late.set_user_tank(&users_assets());
     Simulation early(assets::own_assets());
-    early.bring(&users_assets());
+    early.set_user_tank(&users_assets());
     early.open_link(LINK);
     EXPECT_EQ(late.hash(), early.hash());
     EXPECT_EQ(late.touches(), early.touches());
@@ -85,7 +85,7 @@ TEST(SimulationTankTest, TellsTheFactorAndWhetherThereIsAUsersTank)
 {
     Simulation simulation(assets::own_assets());
     EXPECT_NE(state_json(simulation).find("\"has_own_tank\":false"), std::string::npos);
-    simulation.bring(&users_assets());
+    simulation.set_user_tank(&users_assets());
     simulation.apply("tank", 1);
     const std::string json = state_json(simulation);
     EXPECT_NE(json.find("\"has_own_tank\":true"), std::string::npos);

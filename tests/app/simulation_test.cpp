@@ -1,7 +1,7 @@
 #include "app/simulation/simulation.h"
 
 #include "app/commands/update.h"
-#include "app/report/json.h"
+#include "app/report/state_json.h"
 #include "collision/transformed_sphere.h"
 #include "fixtures.h"
 #include "parsed_json.h"
@@ -25,7 +25,7 @@ void random_pose(Simulation& simulation, std::mt19937_64& random)
 {
     for (std::string_view name : {"turret", "gun", "secondary_gun", "secondary_gun_pitch", "wheels_left",
                                   "wheels_right", "heading", "x", "z"}) {
-        ASSERT_EQ(simulation.apply(name, next_unit(random) * 360.0 - 180.0), "");
+        ASSERT_EQ(simulation.apply(name, next_unit(random) * 360.0 - 180.0).refusal, "");
     }
 }
 
@@ -36,7 +36,7 @@ TEST(SimulationTest, EveryVertexOfTheTankIsInsideItsPartsSphereAndThatInTheRootI
     std::mt19937_64 random(51);
     for (int pose = 0; pose < 2000; ++pose) {
         random_pose(simulation, random);
-        ASSERT_EQ(simulation.apply("fit", pose % 2), "");
+        ASSERT_EQ(simulation.apply("fit", pose % 2).refusal, "");
         const collision::SphereHierarchy& spheres = simulation.spheres().hierarchy();
         for (tank::Part part : tank::ALL_PARTS) {
             const BoundingSphere& sphere = spheres.parts()[tank::index_of(part)];
@@ -173,7 +173,7 @@ TEST(SimulationTest, NoLineIsPrintedTwiceInARow)
         }
         simulation.step();
         const std::span<const LogLine> lines = simulation.log().lines();
-        ASSERT_LE(lines.size(), HitLog::MOST_LINES);
+        ASSERT_LE(lines.size(), HitLog::MAX_LINES);
         for (std::size_t line = 1; line < lines.size(); ++line) {
             ASSERT_NE(lines[line].text, lines[line - 1].text);
         }
@@ -213,8 +213,8 @@ TEST(SimulationTest, NotANumberNeverReachesTheProjectile)
     open(simulation, "probe=point&point_x=1");
     for (std::string_view name : {"point_x", "point_y", "point_z", "point_radius", "line_ax", "line_bz",
                                   "speed", "aim_x", "threshold", "projectile_x_by"}) {
-        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::quiet_NaN()), "") << name;
-        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::infinity()), "") << name;
+        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::quiet_NaN()).refusal, "") << name;
+        EXPECT_NE(simulation.apply(name, std::numeric_limits<double>::infinity()).refusal, "") << name;
     }
     EXPECT_EQ(simulation.open_link("probe=point&point_x=nan").messages.size(), 1u);
     EXPECT_EQ(simulation.open_link("point_x=99999&threshold=0.2").messages.size(), 2u); // clamped and named
@@ -245,28 +245,28 @@ TEST(SimulationTest, TheFrameShowsWhatIsPenetratedAndWires)
     Simulation simulation(assets::own_assets());
     open(simulation, "probe=point&point_x=0.9&point_y=3.4&point_z=1");
     Frame frame = simulation.frame();
-    ASSERT_EQ(frame.used_spheres().size(), 3u); // root, body, turret
-    EXPECT_EQ(frame.used_closest_points().size(), 3u);
-    for (const SphereInFrame& sphere : frame.used_spheres()) {
+    ASSERT_EQ(frame.spheres.size(), 3u); // root, body, turret
+    EXPECT_EQ(frame.closest_points.size(), 3u);
+    for (const SphereInFrame& sphere : frame.spheres) {
         EXPECT_TRUE(sphere.is_penetrated);
     }
     open(simulation, "spheres=all");
     frame = simulation.frame();
-    EXPECT_EQ(frame.used_spheres().size(), 19u);
+    EXPECT_EQ(frame.spheres.size(), 19u);
     double last = std::numeric_limits<double>::infinity();
-    for (const SphereInFrame& sphere : frame.used_spheres()) {
+    for (const SphereInFrame& sphere : frame.spheres) {
         EXPECT_FALSE(sphere.is_penetrated);
         EXPECT_LE(glm::distance(sphere.centre, frame.camera.eye), last);
         last = glm::distance(sphere.centre, frame.camera.eye);
     }
     open(simulation, "spheres=whole");
-    ASSERT_EQ(simulation.frame().used_spheres().size(), 1u);
+    ASSERT_EQ(simulation.frame().spheres.size(), 1u);
     EXPECT_TRUE(simulation.frame().spheres[0].is_root);
     open(simulation, "spheres=parts&parts=body");
-    ASSERT_EQ(simulation.frame().used_spheres().size(), 1u);
+    ASSERT_EQ(simulation.frame().spheres.size(), 1u);
     EXPECT_EQ(simulation.frame().spheres[0].part, tank::Part::body);
     open(simulation, "spheres=off&probe=point&point_x=0.9&point_y=3.4&point_z=1");
-    EXPECT_TRUE(simulation.frame().used_spheres().empty());
+    EXPECT_TRUE(simulation.frame().spheres.empty());
 }
 
 /// Returns how many sparks are alight, those of an event before included.
@@ -293,6 +293,16 @@ TEST(SimulationTest, AnOpenedLinkHasItsOwnSparksAloneWhateverWasOpenBefore)
     open(simulation, UNDER_WAY);
     open(simulation, "turret=10");
     EXPECT_EQ(sparks_alight(simulation), 0u);
+}
+
+TEST(SimulationTest, TheLevelThatIsShownIsThatOfTheFrame)
+{
+    Simulation simulation(assets::own_assets());
+    for (std::string_view fragment : {"", "distance=400", "detail=low", "detail=high&distance=400",
+                                      "detail=both&distance=400", "task=3.2"}) {
+        open(simulation, fragment);
+        EXPECT_EQ(simulation.shown_level(), simulation.frame().tanks[0].level) << fragment;
+    }
 }
 
 TEST(SimulationTest, JsonHasTheHits)

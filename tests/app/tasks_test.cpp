@@ -3,7 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/links/links.h"
 #include "app/report/facts.h"
-#include "app/report/json.h"
+#include "app/report/state_json.h"
 #include "fixtures.h"
 #include "parsed_json.h"
 
@@ -89,14 +89,14 @@ TEST(TasksTest, PointsAreWhereTheFiguresSay)
     for (std::string_view figure : {"figure=7a", "figure=7b", "figure=7c", "figure=7d"}) {
         EXPECT_EQ(opened(figure).report().explanation.hits, parts({tank::Part::body, tank::Part::turret}));
     }
-    EXPECT_EQ(opened("figure=7a").frame().used_triangles().size(), 0u);
+    EXPECT_EQ(opened("figure=7a").frame().triangles.size(), 0u);
     const Simulation rejected = opened("figure=7d");
     ASSERT_EQ(rejected.report().triangles.size(), 2u);
     for (const TriangleTest& test : rejected.report().triangles) {
         EXPECT_FALSE(test.is_inside) << tank::part_name(test.part);
         EXPECT_GT(test.distance, 0.1);
     }
-    EXPECT_EQ(rejected.frame().used_triangles().size(), 2u);
+    EXPECT_EQ(rejected.frame().triangles.size(), 2u);
     // And one in the middle of the body is not rejected.
     const Simulation hit = opened("probe=point&point_x=0&point_y=1.1&point_z=0&triangles=on");
     ASSERT_FALSE(hit.report().triangles.empty());
@@ -111,7 +111,7 @@ TEST(TasksTest, TheTasksAboutHitsHitSomething)
     }
     const Simulation sparks = opened("task=2.6");
     EXPECT_GT(sparks.touches(), 0u);
-    EXPECT_FALSE(sparks.frame().used_particles().empty());
+    EXPECT_FALSE(sparks.frame().particles.empty());
 }
 
 TEST(TasksTest, TheTasksAboutLevelsUseTheHandoutsCamera)
@@ -124,7 +124,7 @@ TEST(TasksTest, TheTasksAboutLevelsUseTheHandoutsCamera)
         EXPECT_EQ(frame.camera.eye.z, opened(task).state().camera.distance) << task; // the tank is at z = 0
     }
     EXPECT_EQ(opened("task=3.2").frame().tanks[0].level, lod::Level::low);
-    EXPECT_EQ(opened("task=3.1").frame().used_tanks().size(), 2u);
+    EXPECT_EQ(opened("task=3.1").frame().tanks.size(), 2u);
     Simulation crossing = opened("task=3.3");
     EXPECT_EQ(crossing.frame().tanks[0].level, lod::Level::high);
     crossing.apply("zoom_out", 1.0);

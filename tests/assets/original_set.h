@@ -21,9 +21,9 @@ struct OriginalSetOptions
 /// The height of the made turret's roof, in its mesh: its antennas reach far higher.
 constexpr float MADE_ROOF = 15.0f;
 
-/// Makes files with the bounding boxes and the quirks of the lab's own data (design.md, section 9): `vt` of
-/// three numbers, normals of any length, faces that wind against them, `v//vn` in the low files, `g` and `s`
-/// lines, no mtllib, and a run-length encoded TGA whose header has its rows the wrong way round.
+/// Makes files with the bounding boxes and the quirks of the lab's own data: `vt` of three numbers, normals
+/// of any length, faces that wind against them, `v//vn` in the low files, `g` and `s` lines, no mtllib, and a
+/// run-length encoded TGA whose header has its rows the wrong way round.
 Files original_set(const OriginalSetOptions& options = {});
 
 /// Returns the texture of the set: 1024 x 1024, red in the upper half of the picture, blue in the lower.

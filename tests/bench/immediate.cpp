@@ -31,16 +31,19 @@ void make_object()
                       {static_cast<float>(side) / SIDES, static_cast<float>(end)}};
     };
     auto* out = object.data();
-    for (int side = 0; side < SIDES; ++side)
-        for (const auto& [s, end] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}})
+    for (int side = 0; side < SIDES; ++side) {
+        for (const auto& [s, end] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
             *out++ = corner(side + s, end);
+        }
+    }
 }
 
 void make_texture()
 {
     std::array<GLubyte, static_cast<std::size_t>(TEXTURE) * TEXTURE * 4> texels;
-    for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t i = 0; i < texels.size(); ++i) {
         texels[i] = (i / 32 + i / 4 / TEXTURE / 8) % 2 == 0 || i % 4 == 3 ? 255 : 90;
+    }
     GLuint name = 0;
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);

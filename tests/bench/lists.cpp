@@ -53,18 +53,21 @@ const float* list_vertices(int list)
 {
     static std::array<float, LIST_VERTICES * LIST_FLOATS> vertices;
     float* out = vertices.data();
-    for (int side = 0; side < 6; ++side)
+    for (int side = 0; side < 6; ++side) {
         for (const auto& [s, t] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
             const int axis = side / 2, sign = side % 2;
             float place[3];
             place[axis] = sign - 0.5f;
             place[(axis + 1) % 3] = s - 0.5f;
             place[(axis + 2) % 3] = t - 0.5f;
-            for (const float coordinate : place)
+            for (const float coordinate : place) {
                 *out++ = 0.7f * coordinate;
-            for (int channel = 0; channel < 3; ++channel)
+            }
+            for (int channel = 0; channel < 3; ++channel) {
                 *out++ = static_cast<float>((list * 37 + side * 5 + channel * 11 + s + 2 * t) % 17) / 16.0f;
+            }
         }
+    }
     return vertices.data();
 }
 
@@ -75,8 +78,9 @@ const float* list_matrices()
         for (int i = 0; i < LIST_COUNT; ++i) {
             float* m = made.data() + 16 * i;
             m[0] = m[5] = m[10] = m[15] = 1;
-            for (int axis = 0, at = i; axis < 3; ++axis, at /= 10)
+            for (int axis = 0, at = i; axis < 3; ++axis, at /= 10) {
                 m[12 + axis] = 2.0f * static_cast<float>(at % 10) - 9.0f;
+            }
         }
         return made;
     }();

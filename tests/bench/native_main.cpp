@@ -48,8 +48,9 @@ void measure_frames(const bench::Program& program, int frames)
             program.frame(i);
             glFinish();
         });
-        if (i >= WARM_UP)
+        if (i >= WARM_UP) {
             std::printf("%.4f\n", time);
+        }
     }
 }
 
@@ -100,11 +101,13 @@ void measure_compiling(int rounds)
         });
         const double first = call();
         double later = call();
-        for (int again = 0; again < 2; ++again)
+        for (int again = 0; again < 2; ++again) {
             later = std::min(later, call());
+        }
         const double copying = copy_and_upload();
-        if (i > 0)
+        if (i > 0) {
             std::printf("%.4f\n%.4f\n", compiling + std::max(0.0, first - later), copying);
+        }
         glDeleteLists(list, 1);
     }
 }
@@ -116,8 +119,9 @@ int write_picture(const bench::Program& program, const char* path)
     std::vector<unsigned char> pixels(static_cast<std::size_t>(bench::SIZE) * bench::SIZE * 4);
     glReadPixels(0, 0, bench::SIZE, bench::SIZE, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     std::FILE* file = std::fopen(path, "wb");
-    if (file == nullptr || std::fwrite(pixels.data(), 1, pixels.size(), file) != pixels.size())
+    if (file == nullptr || std::fwrite(pixels.data(), 1, pixels.size(), file) != pixels.size()) {
         return 2;
+    }
     return std::fclose(file);
 }
 
@@ -137,11 +141,13 @@ int main(int argc, char** argv)
         return 2;
     }
     const std::string what = argv[1];
-    if (what == "picture" && argc == 4)
+    if (what == "picture" && argc == 4) {
         return write_picture(program_named(argv[2]), argv[3]);
-    if (what == "compile")
+    }
+    if (what == "compile") {
         measure_compiling(std::atoi(argv[2]));
-    else
+    } else {
         measure_frames(program_named(what), std::atoi(argv[2]));
+    }
     return 0;
 }

@@ -29,8 +29,9 @@ bool open_context(const char*)
                  version[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wanted, &config, 1, &count))
+    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wanted, &config, 1, &count)) {
         return false;
+    }
     EGLSurface surface = eglCreateWindowSurface(display, config, 0, nullptr);
     EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
     return eglMakeCurrent(display, surface, surface, context);
@@ -50,8 +51,9 @@ bool open_context(const char* canvas)
     attributes.alpha = EM_FALSE;
     attributes.antialias = EM_FALSE;
     const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE webgl = emscripten_webgl_create_context(canvas, &attributes);
-    if (webgl <= 0 || emscripten_webgl_make_context_current(webgl) != EMSCRIPTEN_RESULT_SUCCESS)
+    if (webgl <= 0 || emscripten_webgl_make_context_current(webgl) != EMSCRIPTEN_RESULT_SUCCESS) {
         return false;
+    }
     legacygl = legacygl_create(nullptr, bench::SIZE, bench::SIZE, LEGACYGL_TARGET_WINDOW);
     return legacygl != nullptr;
 }
@@ -71,8 +73,9 @@ extern "C" {
 /// Returns whether it can.
 EMSCRIPTEN_KEEPALIVE int bench_open(const char* canvas, int which)
 {
-    if (!open_context(canvas))
+    if (!open_context(canvas)) {
         return 0;
+    }
 #ifdef BENCH_EMSCRIPTEN
     program = &bench::immediate; // The emulation has no display lists.
     (void)which;

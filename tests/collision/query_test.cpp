@@ -12,9 +12,9 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity();
 TEST(QueryTest, GoodQueriesAreNotRefused)
 {
     EXPECT_EQ(refusal_of(Query::point({1, 2, 3})), Refusal::none);
-    EXPECT_EQ(refusal_of(Query::point({1e6, -1e6, LARGEST_COORDINATE}, 0.01)), Refusal::none);
+    EXPECT_EQ(refusal_of(Query::point({1e6, -1e6, MAX_COORDINATE}, 0.01)), Refusal::none);
     EXPECT_EQ(refusal_of(Query::segment({1e6, 0, 0}, {-1e6, 0, 0}, 1)), Refusal::none);
-    EXPECT_EQ(refusal_of(Query::segment(glm::dvec3(LARGEST_COORDINATE), glm::dvec3(-LARGEST_COORDINATE))),
+    EXPECT_EQ(refusal_of(Query::segment(glm::dvec3(MAX_COORDINATE), glm::dvec3(-MAX_COORDINATE))),
               Refusal::none);
     EXPECT_EQ(refusal_of(Query::segment({1, 1, 1}, {1, 1, 1})), Refusal::none);
     EXPECT_EQ(refusal_of(Query::ray({0, 0, 0}, {0, 0, 0})), Refusal::none);
@@ -40,7 +40,7 @@ TEST(QueryTest, WhatIsNotFiniteIsRefusedWhereverItStands)
 
 TEST(QueryTest, WhatIsTooFarOrNegativeIsRefused)
 {
-    const double far = 1.001 * LARGEST_COORDINATE;
+    const double far = 1.001 * MAX_COORDINATE;
     for (const Query& query :
          {Query::point({0, far, 0}), Query::point({0, 0, -1e300}), Query::segment({0, far, 0}, {}),
           Query::segment({}, {0, far, 0}), Query::ray({}, {far, 0, 0}), Query::line({far, 0, 0}, {1, 0, 0}),

@@ -298,7 +298,7 @@ TEST(SphereHierarchyTest, WithoutPartsNothingIsHit)
 TEST(SphereHierarchyTest, SixtyFourPartsAreAsGoodAsTwo)
 {
     std::vector<BoundingSphere> local;
-    for (std::size_t i = 0; i < MOST_PARTS; ++i) {
+    for (std::size_t i = 0; i < MAX_PARTS; ++i) {
         local.push_back({{static_cast<double>(i), 0, 0}, 0.25});
     }
     const SphereHierarchy hierarchy(local);

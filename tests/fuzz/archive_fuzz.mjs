@@ -14,13 +14,22 @@ import { Worker } from "node:worker_threads";
 const LARGEST_INPUT = 1 << 20;
 const HEAP = 512; // megabytes
 
-const options = { max_total_time: "Infinity", runs: "Infinity", seed: String(randomInt(2 ** 31)), timeout: "10", artifact_prefix: "./", print_final_stats: "1" };
+const options = {
+  max_total_time: "Infinity",
+  runs: "Infinity",
+  seed: String(randomInt(2 ** 31)),
+  timeout: "10",
+  artifact_prefix: "./",
+  print_final_stats: "1",
+};
 const paths = [];
 for (const argument of process.argv.slice(2)) {
   const [, name, value] = /^-(\w+)=(.*)$/s.exec(argument) ?? [];
-  if (name in options) options[name] = value;
-  else if (!name && fs.existsSync(argument)) paths.push(argument);
-  else {
+  if (name in options) {
+    options[name] = value;
+  } else if (!name && fs.existsSync(argument)) {
+    paths.push(argument);
+  } else {
     console.error(`archive_fuzz: '${argument}' is neither an option nor there`);
     process.exit(2);
   }
@@ -35,7 +44,8 @@ async function unpackOnce(files) {
 }
 
 const nameOf = (bytes) => createHash("sha1").update(bytes).digest("hex");
-const filesOf = (folder) => fs.readdirSync(folder).map((name) => new Uint8Array(fs.readFileSync(path.join(folder, name))));
+const filesOf = (folder) =>
+  fs.readdirSync(folder).map((name) => new Uint8Array(fs.readFileSync(path.join(folder, name))));
 
 function fuzz(folders) {
   const progress = new Int32Array(new SharedArrayBuffer(8)); // inputs so far, and the length of the one at work
@@ -49,7 +59,9 @@ function fuzz(folders) {
   });
 
   const found = (kind, reason) => {
-    if (process.exitCode === 1) return;
+    if (process.exitCode === 1) {
+      return;
+    }
     process.exitCode = 1;
     const bytes = current.slice(0, progress[1]);
     const file = `${options.artifact_prefix}${kind}-${nameOf(bytes)}`;
@@ -58,22 +70,32 @@ function fuzz(folders) {
   };
   let [round, since] = [0, Date.now()];
   const watch = setInterval(() => {
-    if (round !== progress[0]) [round, since] = [progress[0], Date.now()];
-    else if (Date.now() - since > Number(options.timeout) * 1000) {
+    if (round !== progress[0]) {
+      [round, since] = [progress[0], Date.now()];
+    } else if (Date.now() - since > Number(options.timeout) * 1000) {
       found("timeout", `an archive is unpacked for more than ${options.timeout} seconds`);
       worker.terminate();
     }
   }, 500);
   worker.on("message", (bytes) => {
-    if (folders.length > 0) fs.writeFileSync(path.join(folders[0], nameOf(bytes)), bytes);
+    if (folders.length > 0) {
+      fs.writeFileSync(path.join(folders[0], nameOf(bytes)), bytes);
+    }
   });
-  worker.on("error", (error) => found(error.code === "ERR_WORKER_OUT_OF_MEMORY" ? "oom" : "crash", error.message));
+  worker.on("error", (error) =>
+    found("code" in error && error.code === "ERR_WORKER_OUT_OF_MEMORY" ? "oom" : "crash", error.message),
+  );
   worker.on("exit", (code) => {
     clearInterval(watch);
-    if (code !== 0) found("timeout", "unpacking an archive waits for what never comes");
+    if (code !== 0) {
+      found("timeout", "unpacking an archive waits for what never comes");
+    }
     console.log(`stat::number_of_executed_units: ${progress[0]}`);
   });
 }
 
-if (paths.length > 0 && paths.every((file) => fs.statSync(file).isFile())) await unpackOnce(paths);
-else fuzz(paths);
+if (paths.length > 0 && paths.every((file) => fs.statSync(file).isFile())) {
+  await unpackOnce(paths);
+} else {
+  fuzz(paths);
+}

@@ -10,7 +10,7 @@ export function generator(seed) {
     state = (state + 0x6d2b79f5) >>> 0;
     let mixed = Math.imul(state ^ (state >>> 15), state | 1);
     mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
-    return (((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32) * below | 0;
+    return ((((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32) * below) | 0;
   };
 }
 
@@ -21,19 +21,26 @@ const joined = (...parts) => new Uint8Array(Buffer.concat(parts));
 function headers(bytes) {
   const view = viewOf(bytes);
   const found = [];
-  for (let at = 0; at + 4 <= bytes.length; ++at) if (bytes[at] === 0x50 && SIGNATURES.includes(view.getUint32(at, true))) found.push(at);
+  for (let at = 0; at + 4 <= bytes.length; ++at) {
+    if (bytes[at] === 0x50 && SIGNATURES.includes(view.getUint32(at, true))) {
+      found.push(at);
+    }
+  }
   return found;
 }
 
 /** Puts a number that readers trip over into a field of a header, or anywhere. */
 function overwrite(bytes, random) {
   const begins = headers(bytes);
-  const base = begins.length > 0 && random(4) > 0 ? begins[random(begins.length)] + 2 * random(28) : random(bytes.length);
+  const base =
+    begins.length > 0 && random(4) > 0 ? begins[random(begins.length)] + 2 * random(28) : random(bytes.length);
   const size = [1, 2, 4, 8][random(4)];
   const old = base + size <= bytes.length ? bytes[base] : 0;
   const value = random(3) === 0 ? old + random(9) - 4 : TELLING[random(TELLING.length)];
   const copy = bytes.slice();
-  for (let i = 0; i < size && base + i < copy.length; ++i) copy[base + i] = i < 4 ? value >>> (8 * i) : 0;
+  for (let i = 0; i < size && base + i < copy.length; ++i) {
+    copy[base + i] = i < 4 ? value >>> (8 * i) : 0;
+  }
   return copy;
 }
 
@@ -70,6 +77,8 @@ const WAYS = [
 /** Returns the archive damaged at one to four places. */
 export function damaged(bytes, random, other) {
   let result = bytes;
-  for (let i = 1 + random(4); i > 0 && result.length > 0; --i) result = WAYS[random(WAYS.length)](result, random, other);
+  for (let i = 1 + random(4); i > 0 && result.length > 0; --i) {
+    result = WAYS[random(WAYS.length)](result, random, other);
+  }
   return result;
 }

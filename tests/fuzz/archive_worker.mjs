@@ -16,7 +16,12 @@ function begin(bytes) {
 
 /** Returns what tells outcomes apart: files, none of them, or what was said, without names and numbers. */
 function kindOf({ files, sentence }) {
-  return files ? `files: ${files.length > 0}` : sentence.replace(/^.*a\.zip/s, "").replace(/“.*”/s, "").replace(/\d+/g, "0");
+  return files
+    ? `files: ${files.length > 0}`
+    : sentence
+        .replace(/^.*a\.zip/s, "")
+        .replace(/“.*”/s, "")
+        .replace(/\d+/g, "0");
 }
 
 const seeds = seedArchives();
@@ -38,7 +43,9 @@ while (progress[0] < runs && performance.now() < until) {
   const input = damaged(bytes, random, other).slice(0, current.length);
   begin(input);
   const kind = kindOf(await check(input));
-  if (kinds.has(kind) || inputs.length >= LARGEST_CORPUS) continue;
+  if (kinds.has(kind) || inputs.length >= LARGEST_CORPUS) {
+    continue;
+  }
   kinds.add(kind);
   inputs.push(input);
   parentPort.postMessage(input);

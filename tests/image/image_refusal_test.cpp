@@ -12,8 +12,9 @@ using image::Image;
 std::string refusal(const Bytes& bytes)
 {
     const base::Result<Image> result = image::read_image("test.png", bytes);
-    if (result)
+    if (result) {
         return "was read";
+    }
     EXPECT_EQ(broken_invariant(result.error(), 0), "");
     return result.error().message();
 }
@@ -51,9 +52,11 @@ TEST(ReadImageRefuses, EveryFormatCutShortAnywhere)
     const Picture picture = sample_picture(40, 30, 3);
     for (const Bytes& file :
          {png_file(picture), jpeg_file(picture, 80), progressive_jpeg(), tga_file(picture, false, false),
-          tga_file(picture, true, true), raw_png(40, 1, 8, 0, {Bytes(40, 3)})})
-        for (std::size_t size = 0; size + 12 < file.size(); ++size) // PNG's last 12 bytes hold nothing
+          tga_file(picture, true, true), raw_png(40, 1, 8, 0, {Bytes(40, 3)})}) {
+        for (std::size_t size = 0; size + 12 < file.size(); ++size) { // PNG's last 12 bytes hold nothing
             ASSERT_NE(refusal(cut_short(file, size)), "was read") << size << " of " << file.size();
+        }
+    }
 }
 
 TEST(ReadImageRefuses, ACutOrDamagedImageWithAnAdvice)
@@ -89,20 +92,22 @@ TEST(ReadImageRefuses, AHugeSizeThatTheFileCannotHold)
     const Bytes tga = {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x00, 0x10, 0x00, 0x10, 32, 0, 0xFF, 1, 2, 3, 4};
     EXPECT_TRUE(contains(refusal(tga), "cut short"));
     Bytes jpeg = jpeg_file(sample_picture(16, 16, 3), 50);
-    for (std::size_t i = 0; i + 8 < jpeg.size(); ++i)
+    for (std::size_t i = 0; i + 8 < jpeg.size(); ++i) {
         if (jpeg[i] == 0xFF && jpeg[i + 1] == 0xC0) // the frame header: height and width follow
         {
             jpeg[i + 5] = jpeg[i + 7] = 0x10;
             break;
         }
+    }
     EXPECT_TRUE(contains(refusal(jpeg), "cut short"));
 }
 
 TEST(ReadImageRefuses, AJpegOfThousandsOfScans)
 {
     Bytes jpeg = jpeg_file(sample_picture(1024, 1024, 3), 90);
-    for (int i = 0; i < 2000; ++i)
+    for (int i = 0; i < 2000; ++i) {
         jpeg.insert(jpeg.end(), {0xFF, 0xDA});
+    }
     EXPECT_TRUE(contains(refusal(jpeg), "has 2001 scans, too many for its size"));
 }
 
@@ -163,9 +168,10 @@ TEST(ReadImageRefuses, APngThatUnpacksWithoutEnd)
     };
     append({1, 1, 0});                // the last block, with the fixed code
     append({0, 0, 1, 1, 0, 0, 0, 0}); // a zero
-    while (zlib.size() < 200'000)
+    while (zlib.size() < 200'000) {
         append({1, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0}); // 258 bytes like the one before
-    append({0, 0, 0, 0, 0, 0, 0});                       // the end
+    }
+    append({0, 0, 0, 0, 0, 0, 0}); // the end
     zlib.resize(zlib.size() + 8);
     EXPECT_EQ(
         refusal(raw_png(1, 1, 8, 0, {}, png_chunk("IDAT", zlib))),
@@ -182,7 +188,7 @@ TEST(ReadImageRefuses, ATgaStoredFromRightToLeft)
 TEST(ReadImageRefuses, AHugeFile)
 {
     EXPECT_TRUE(
-        contains(refusal(Bytes(image::max_image_file_bytes + 1)), "128 MB and at most 128 MB are read"));
+        contains(refusal(Bytes(image::MAX_IMAGE_FILE_BYTES + 1)), "128 MB and at most 128 MB are read"));
 }
 
 } // namespace

@@ -22,11 +22,12 @@ void expect_flipped(const Image& image, const Picture& picture)
     ASSERT_EQ(image.width, picture.width);
     ASSERT_EQ(image.height, picture.height);
     ASSERT_EQ(image.channels, picture.channels);
-    for (int y = 0; y < picture.height; ++y)
+    for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const auto at = picture.pixels.begin() + long((y * picture.width + x) * picture.channels);
             ASSERT_EQ(pixel_from_top(image, x, y), Bytes(at, at + picture.channels)) << x << ", " << y;
         }
+    }
 }
 
 TEST(ReadImage, PutsTheBottomRowFirst)
@@ -39,19 +40,22 @@ TEST(ReadImage, PutsTheBottomRowFirst)
 
 TEST(ReadImage, ReadsPng)
 {
-    for (const int channels : {3, 4})
+    for (const int channels : {3, 4}) {
         expect_flipped(read(png_file(sample_picture(13, 7, channels))), sample_picture(13, 7, channels));
+    }
 }
 
 TEST(ReadImage, ReadsTgaPlainAndRunLengthEncoded)
 {
-    for (const int channels : {3, 4})
+    for (const int channels : {3, 4}) {
         for (const bool run_length_encoded : {false, true}) {
             Picture picture = sample_picture(300, 5, channels);
-            for (std::size_t i = 400; i < 2000; ++i)
+            for (std::size_t i = 400; i < 2000; ++i) {
                 picture.pixels[i] = 9; // something for the run lengths
+            }
             expect_flipped(read(tga_file(picture, run_length_encoded, false)), picture);
         }
+    }
 }
 
 TEST(ReadImage, BelievesTheHeaderOfATgaWhichWayIsUp)
@@ -64,16 +68,21 @@ TEST(ReadImage, BelievesTheHeaderOfATgaWhichWayIsUp)
 TEST(ReadImage, ReadsJpegToWithinItsLoss)
 {
     Picture picture{32, 16, 3, {}};
-    for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 32; ++x)
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 32; ++x) {
             picture.pixels.insert(picture.pixels.end(), {std::uint8_t(x * 6), std::uint8_t(y * 12), 90});
+        }
+    }
     const Image image = read(jpeg_file(picture, 95));
     ASSERT_EQ(image.channels, 3);
-    for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 32; ++x)
-            for (int channel = 0; channel < 3; ++channel)
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 32; ++x) {
+            for (int channel = 0; channel < 3; ++channel) {
                 ASSERT_NEAR(pixel_from_top(image, x, y)[channel], picture.pixels[(y * 32 + x) * 3 + channel],
                             12);
+            }
+        }
+    }
 }
 
 TEST(ReadImage, ReadsAProgressiveJpeg)
@@ -95,8 +104,9 @@ TEST(ReadImage, DecodesAJpegToTheSamePixelsEverywhere)
     // The sum that stb_image's portable decoder gives, natively and in wasm; its SSE2 decoder gives another.
     const Image image = read(jpeg_file(sample_picture(61, 47, 3), 60));
     std::uint32_t hash = 2166136261; // FNV-1a
-    for (const std::uint8_t byte : image.pixels)
+    for (const std::uint8_t byte : image.pixels) {
         hash = (hash ^ byte) * 16777619;
+    }
     EXPECT_EQ(hash, 3122848836U);
 }
 
@@ -202,11 +212,12 @@ TEST(ReadImage, ReadsOnePixelOfEachFormat)
 Bytes jpeg_without_colour()
 {
     Bytes jpeg = jpeg_file(sample_picture(64, 64, 3), 90);
-    for (std::size_t i = 0; i + 4 < jpeg.size(); ++i)
+    for (std::size_t i = 0; i + 4 < jpeg.size(); ++i) {
         if (jpeg[i] == 0xFF && jpeg[i + 1] == 0xDA) {
             jpeg.resize(i);
             break;
         }
+    }
     jpeg.insert(jpeg.end(), {0xFF, 0xDA, 0, 8, 1, 1, 0x00, 0, 63, 0});
     jpeg.resize(jpeg.size() + 4000, 0x2A);
     jpeg.insert(jpeg.end(), {0xFF, 0xD9});
@@ -228,9 +239,11 @@ Bytes png_that_copies_from_nowhere()
 void dirty_memory(std::uint8_t byte)
 {
     std::vector<Bytes> blocks;
-    for (std::size_t size = 16; size < 200'000; size += size / 4)
-        for (int i = 0; i < 20; ++i)
+    for (std::size_t size = 16; size < 200'000; size += size / 4) {
+        for (int i = 0; i < 20; ++i) {
             blocks.emplace_back(size, byte);
+        }
+    }
 }
 
 TEST(ReadImage, DoesNotShowWhatWasInMemoryWhereADamagedImageLeavesAHole)
@@ -242,10 +255,11 @@ TEST(ReadImage, DoesNotShowWhatWasInMemoryWhereADamagedImageLeavesAHole)
         dirty_memory(0xEE);
         const base::Result<Image> second = image::read_image("a", damaged);
         ASSERT_EQ(bool(first), bool(second)) << (first ? second : first).error().message();
-        if (first) // stb_image 2.30 refuses the PNG.
+        if (first) { // stb_image 2.30 refuses the PNG.
             EXPECT_EQ(first.value().pixels, second.value().pixels);
-        else
+        } else {
             EXPECT_EQ(&damaged, &images[1]) << first.error().message();
+        }
     }
 }
 

@@ -12,8 +12,9 @@ inline image::Image read(const Bytes& bytes)
 {
     base::Result<image::Image> result = image::read_image("test.png", bytes);
     EXPECT_TRUE(result) << (result ? "" : result.error().message());
-    if (!result)
+    if (!result) {
         return {};
+    }
     EXPECT_EQ(broken_invariant(result.value()), "");
     return std::move(result).value();
 }

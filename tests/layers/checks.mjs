@@ -1,15 +1,17 @@
-// Checks of the source tree that no compiler makes: which folder includes which, who calls OpenGL, the
-// layout of the code, and that no file names a package registry's host.
+// Checks of the source tree that no compiler makes: which folder includes which, who calls OpenGL, the layout of the
+// code, the rules and types of what is JavaScript, and that no file names a package registry's host.
 //
-//   node tests/layers/checks.mjs layers|format|hosts [ROOT] [--write]
+//   node tests/layers/checks.mjs layers|format|hosts|modules [ROOT] [--write]
 //
-// --write has `format` lay the code out, rather than say where that is due.
+// --write has `format` and `modules` mend what can be, rather than say where that is due.
 // Prints each violation as FILE:LINE: TEXT; the exit status is 1 where there is one, 2 where a check
 // cannot be made.
 import fs from "node:fs";
 import path from "node:path";
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
+import { checkLayout } from "./layout.mjs";
+import { checkModules } from "./modules.mjs";
 
 const THE_FIVE = ["mesh", "tank", "collision", "particles", "lod"];
 const BELOW_APP = ["assets", "image", ...THE_FIVE, "base"];
@@ -20,7 +22,7 @@ const BELOW_APP = ["assets", "image", ...THE_FIVE, "base"];
 const LAYERS = {
   base: { folders: [] },
   image: { folders: ["base"], headers: /^stb\/stb_image\.h$/ },
-  mesh: { folders: ["base"], headers: /^tiny_obj_loader\.h$/ },
+  mesh: { folders: ["base"], headers: /^fast_float\/fast_float\.h$/ },
   tank: { folders: ["base"] },
   collision: { folders: ["base"] },
   particles: { folders: ["base"] },
@@ -81,14 +83,21 @@ const HOSTS = [
 
 /** Returns the tree's files that are committed or about to be, relative to the root; without git, all. */
 export function sourceFiles(root) {
-  const git = spawnSync("git", ["-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"], { encoding: "utf8" });
+  const git = spawnSync("git", ["-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"], {
+    encoding: "utf8",
+  });
   if (git.status === 0) {
-    return git.stdout.split("\0").filter((file) => file && fs.existsSync(path.join(root, file))).sort();
+    return git.stdout
+      .split("\0")
+      .filter((file) => file && fs.existsSync(path.join(root, file)))
+      .sort();
   }
   const below = (folder) =>
     fs.readdirSync(path.join(root, folder), { withFileTypes: true }).flatMap((entry) => {
       const file = path.posix.join(folder, entry.name);
-      if (entry.isDirectory()) return [".git", "build", "node_modules"].includes(entry.name) ? [] : below(file);
+      if (entry.isDirectory()) {
+        return [".git", "build", "node_modules"].includes(entry.name) ? [] : below(file);
+      }
       return entry.isFile() ? [file] : [];
     });
   return below(".").sort();
@@ -112,9 +121,13 @@ function floorOf(floors, file) {
 
 function violationsOfFloors(file, folder, target) {
   const { floors } = LAYERS[folder];
-  if (!floors) return [];
+  if (!floors) {
+    return [];
+  }
   const [room, other] = [file.slice("src/".length), target].map((name) => path.posix.dirname(name));
-  if (room === other || floorOf(floors, target) < floorOf(floors, file.slice("src/".length))) return [];
+  if (room === other || floorOf(floors, target) < floorOf(floors, file.slice("src/".length))) {
+    return [];
+  }
   return [`${room}/ may not include ${other}/ ("${target}")`];
 }
 
@@ -123,15 +136,23 @@ function violationsOfInclude(file, folder, include) {
   const rule = LAYERS[folder];
   if (quote === '"') {
     const other = target.split("/")[0];
-    if (!target.includes("/") || !(other in LAYERS)) return [`"${target}" is not rooted at src/`];
-    if (other === folder) return violationsOfFloors(file, folder, target);
-    if (rule.folders.includes(other)) return [];
+    if (!target.includes("/") || !(other in LAYERS)) {
+      return [`"${target}" is not rooted at src/`];
+    }
+    if (other === folder) {
+      return violationsOfFloors(file, folder, target);
+    }
+    if (rule.folders.includes(other)) {
+      return [];
+    }
     return [`${folder}/ may not include ${other}/ ("${target}")`];
   }
   if (ES_HEADER.test(target)) {
     return MAY_INCLUDE_ES.test(file) ? [] : [`<${target}>: only src/legacygl/backend/es3_* includes OpenGL ES`];
   }
-  if (STANDARD_OR_GLM.test(target) || rule.headers?.test(target)) return [];
+  if (STANDARD_OR_GLM.test(target) || rule.headers?.test(target)) {
+    return [];
+  }
   return [`${folder}/ may not include <${target}>`];
 }
 
@@ -153,11 +174,17 @@ export function checkLayers(root) {
     lines.forEach((content, index) => {
       const found = [];
       const include = /^\s*#\s*include\s*(["<])([^">]+)[">]/.exec(content);
-      if (include) found.push(...violationsOfInclude(file, folder, include));
-      if (!MAY_CALL_GL.test(file)) {
-        for (const [, name] of content.matchAll(GL_CALL)) found.push(`only scene/ and legacygl/ call OpenGL (${name})`);
+      if (include) {
+        found.push(...violationsOfInclude(file, folder, include));
       }
-      for (const text of found) violations.push({ file, line: index + 1, text });
+      if (!MAY_CALL_GL.test(file)) {
+        for (const [, name] of content.matchAll(GL_CALL)) {
+          found.push(`only scene/ and legacygl/ call OpenGL (${name})`);
+        }
+      }
+      for (const text of found) {
+        violations.push({ file, line: index + 1, text });
+      }
     });
   }
   return violations;
@@ -168,11 +195,17 @@ export function checkHosts(root) {
   const violations = [];
   for (const file of sourceFiles(root)) {
     const full = path.join(root, file);
-    if (!fs.statSync(full).isFile() || fs.statSync(full).size > 4e6) continue;
+    if (!fs.statSync(full).isFile() || fs.statSync(full).size > 4e6) {
+      continue;
+    }
     const text = fs.readFileSync(full, "latin1").toLowerCase();
     for (const host of HOSTS) {
       for (let at = text.indexOf(host); at >= 0; at = text.indexOf(host, at + 1)) {
-        violations.push({ file, line: text.slice(0, at).split("\n").length, text: `names a registry's host (${host})` });
+        violations.push({
+          file,
+          line: text.slice(0, at).split("\n").length,
+          text: `names a registry's host (${host})`,
+        });
       }
     }
   }
@@ -184,40 +217,38 @@ export function checkHosts(root) {
     Its API is used and not its program, which does not see files below /tmp. */
 export async function checkFormat(root, write = false) {
   const files = sourceFiles(root).filter((file) => CODE.test(file));
-  if (files.length === 0) return [];
+  if (files.length === 0) {
+    return [];
+  }
   const { format } = await import("@wasm-fmt/clang-format").catch((error) => {
     throw new Error(`clang-format does not start (${error.message}); scripts/setup web installs it`);
   });
   const style = fs.readFileSync(path.join(root, ".clang-format"), "utf8");
-  const violations = [];
-  for (const file of files) {
-    const full = path.join(root, file);
-    const text = fs.readFileSync(full, "utf8");
-    const formatted = format(text, file, style);
-    if (formatted === text) continue;
-    if (write) {
-      fs.writeFileSync(full, formatted);
-      continue;
-    }
-    const expected = formatted.split("\n");
-    const line = text.split("\n").findIndex((content, index) => content !== expected[index]) + 1;
-    violations.push({ file, line, text: "is not as clang-format lays it out (checks.mjs format --write does it)" });
-  }
-  return violations;
+  const how = { program: "clang-format", command: "checks.mjs format --write", write };
+  return checkLayout(root, files, (text, file) => format(text, file, style), how);
 }
 
-const CHECKS = { layers: checkLayers, format: checkFormat, hosts: checkHosts };
+const CHECKS = {
+  layers: checkLayers,
+  format: checkFormat,
+  hosts: checkHosts,
+  modules: (root, write) => checkModules(root, sourceFiles(root), write),
+};
 
 if (process.argv[1] && fs.realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
   const write = process.argv.includes("--write");
-  const [name, root = fileURLToPath(new URL("../..", import.meta.url))] = process.argv.slice(2).filter((given) => given !== "--write");
+  const [name, root = fileURLToPath(new URL("../..", import.meta.url))] = process.argv
+    .slice(2)
+    .filter((given) => given !== "--write");
   if (!(name in CHECKS)) {
     console.error(`checks: there is no check '${name}': ${Object.keys(CHECKS).join(", ")}`);
     process.exit(2);
   }
   try {
     const violations = await CHECKS[name](root, write);
-    for (const { file, line, text } of violations) console.log(`${file}:${line}: ${text}`);
+    for (const { file, line, text } of violations) {
+      console.log(`${file}:${line}: ${text}`);
+    }
     console.log(violations.length === 0 ? `${name}: nothing to object` : `${name}: ${violations.length} violations`);
     process.exitCode = violations.length === 0 ? 0 : 1;
   } catch (error) {

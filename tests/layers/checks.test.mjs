@@ -24,12 +24,15 @@ function withTree(files, use) {
   return use(root);
 }
 
-const violations = (check, files) => withTree(files, (root) => check(root).map(({ file, line, text }) => `${file}:${line}: ${text}`));
+const violations = (check, files) =>
+  withTree(files, (root) => check(root).map(({ file, line, text }) => `${file}:${line}: ${text}`));
 
 const OBEYS = {
-  "src/mesh/a.cpp": '#include "mesh/a.h"\n#include <vector>\n#include <glm/glm.hpp>\n#include <tiny_obj_loader.h>\n',
+  "src/mesh/a.cpp":
+    '#include "mesh/a.h"\n#include <vector>\n#include <glm/glm.hpp>\n#include <fast_float/fast_float.h>\n',
   "src/tank/a.h": "#pragma once\n#include <cmath>\n/// The matrix of glRotate(angle, axis).\n",
-  "src/app/commands/a.cpp": '#include "tank/a.h"\n#include "mesh/a.h"\n#include "lod/b.h"\n#include "app/state/a.h"\n#include "app/commands/b.h"\n',
+  "src/app/commands/a.cpp":
+    '#include "tank/a.h"\n#include "mesh/a.h"\n#include "lod/b.h"\n#include "app/state/a.h"\n#include "app/commands/b.h"\n',
   "src/legacygl/backend/es3_functions.cpp": "#include <GLES3/gl3.h>\n",
   "src/legacygl/entry/a.cpp": "#include <GL/gl.h>\nvoid f() { glEnable(1); }\n",
   "src/scene/a.cpp": '#include "app/a.h"\n#include <GL/glu.h>\nvoid f() { glEnd(); gluLookAt(); }\n',
@@ -40,15 +43,29 @@ test("a tree that obeys the table of layers has no violations", () => {
   assert.deepEqual(violations(checkLayers, OBEYS), []);
 });
 
+/** What is wrong, and how: the file, its line, and what is said.
+    @type {Record<string, [string, string, RegExp]>} */
 const VIOLATIONS = {
-  "one of the five includes another": ["src/collision/a.cpp", '#include "mesh/a.h"', /collision\/ may not include mesh\//],
+  "one of the five includes another": [
+    "src/collision/a.cpp",
+    '#include "mesh/a.h"',
+    /collision\/ may not include mesh\//,
+  ],
   "a lower layer includes a higher one": ["src/tank/a.cpp", '#include "app/a.h"', /tank\/ may not include app\//],
   "legacygl knows of tanks": ["src/legacygl/draw/a.cpp", '#include "tank/a.h"', /legacygl\/ may not include tank\//],
-  "scene knows which renderer it has": ["src/scene/a.cpp", '#include "legacygl/a.h"', /scene\/ may not include legacygl\//],
+  "scene knows which renderer it has": [
+    "src/scene/a.cpp",
+    '#include "legacygl/a.h"',
+    /scene\/ may not include legacygl\//,
+  ],
   "an include is not rooted at src/": ["src/app/state/a.cpp", '#include "b.h"', /not rooted at src/],
   "app includes OpenGL": ["src/app/state/a.cpp", "#include <GL/gl.h>", /app\/ may not include <GL\/gl\.h>/],
   "scene includes SDL": ["src/scene/a.cpp", "#include <SDL.h>", /may not include <SDL\.h>/],
-  "a file of legacygl outside its backend includes OpenGL ES": ["src/legacygl/draw/a.cpp", "#include <GLES3/gl3.h>", /only src\/legacygl\/backend/],
+  "a file of legacygl outside its backend includes OpenGL ES": [
+    "src/legacygl/draw/a.cpp",
+    "#include <GLES3/gl3.h>",
+    /only src\/legacygl\/backend/,
+  ],
   "platform includes WebGL": ["src/platform/web/a.cpp", "#include <webgl/webgl1.h>", /only src\/legacygl\/backend/],
   "platform calls OpenGL": ["src/platform/web/a.cpp", "void f() { glFlush(); }", /\(glFlush\)/],
   "app calls GLU, globally qualified": ["src/app/state/a.cpp", "void f() { ::gluLookAt (1); }", /\(gluLookAt\)/],
@@ -76,29 +93,43 @@ for (const [name, [file, line, expected]] of Object.entries(VIOLATIONS)) {
 }
 
 test("comments and strings are no code, whatever they hold", () => {
-  const kept = withoutComments('a /* glEnd() \n */ b // glEnd()\n"glEnd()" \'"\' c R"x(glEnd() ")x" d\n#include "mesh/a.h"\n');
+  const kept = withoutComments(
+    'a /* glEnd() \n */ b // glEnd()\n"glEnd()" \'"\' c R"x(glEnd() ")x" d\n#include "mesh/a.h"\n',
+  );
   assert.equal(kept.replace(/[ ]+/g, " "), 'a \n b \n c d\n#include "mesh/a.h"\n');
 });
 
 test("a member function whose name begins with gl is no call of OpenGL", () => {
-  assert.deepEqual(violations(checkLayers, { "src/app/state/a.cpp": "void f() { a.glX(); b->glY(); C::glZ(); }\n" }), []);
+  assert.deepEqual(
+    violations(checkLayers, { "src/app/state/a.cpp": "void f() { a.glX(); b->glY(); C::glZ(); }\n" }),
+    [],
+  );
 });
 
 test("a registry's host is found in any file, in any case", () => {
   const host = ["Registry", "npmjs", "org"].join(".");
-  const found = violations(checkHosts, { "a.txt": "nothing\n", "package-lock.json": `{\n "resolved": "https://${host}/x"\n}` });
+  const found = violations(checkHosts, {
+    "a.txt": "nothing\n",
+    "package-lock.json": `{\n "resolved": "https://${host}/x"\n}`,
+  });
   assert.equal(found.length, 1);
   assert.match(found[0], /^package-lock\.json:2: /);
 });
 
 test("code that clang-format would change is found, and only that; writing lays it out", () =>
-  withTree({ ".clang-format": "BasedOnStyle: LLVM\n", "src/a.cpp": "int a;\n", "src/b.cpp": "int a;\nint  b ;\n" }, async (root) => {
-    const found = await checkFormat(root);
-    assert.deepEqual(found.map(({ file, line }) => `${file}:${line}`), ["src/b.cpp:2"]);
-    assert.deepEqual(await checkFormat(root, true), []);
-    assert.deepEqual(await checkFormat(root), []);
-    assert.equal(fs.readFileSync(path.join(root, "src/b.cpp"), "utf8"), "int a;\nint b;\n");
-  }));
+  withTree(
+    { ".clang-format": "BasedOnStyle: LLVM\n", "src/a.cpp": "int a;\n", "src/b.cpp": "int a;\nint  b ;\n" },
+    async (root) => {
+      const found = await checkFormat(root);
+      assert.deepEqual(
+        found.map(({ file, line }) => `${file}:${line}`),
+        ["src/b.cpp:2"],
+      );
+      assert.deepEqual(await checkFormat(root, true), []);
+      assert.deepEqual(await checkFormat(root), []);
+      assert.equal(fs.readFileSync(path.join(root, "src/b.cpp"), "utf8"), "int a;\nint b;\n");
+    },
+  ));
 
 test("the exit status is 1 for violations, 0 for none, 2 for a check that is not known", () => {
   const run = (check, files) => withTree(files, (root) => spawnSync(process.execPath, [SCRIPT, check, root]).status);

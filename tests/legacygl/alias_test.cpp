@@ -38,8 +38,9 @@ TEST_F(Aliases, ReachTheSameState)
 TEST_F(Aliases, AreListedAsExtensions)
 {
     const std::string extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
-    for (const char* name : {"GL_ARB_multitexture", "GL_ARB_transpose_matrix", "GL_EXT_texture_object"})
+    for (const char* name : {"GL_ARB_multitexture", "GL_ARB_transpose_matrix", "GL_EXT_texture_object"}) {
         EXPECT_NE((extensions + " ").find(name + std::string(" ")), std::string::npos) << name;
+    }
     EXPECT_EQ(std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))), "legacygl");
 }
 

@@ -36,15 +36,18 @@ void ask_units(Snapshot& out)
         };
         glActiveTexture(unit);
         for (GLenum name : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T,
-                            GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D})
+                            GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D}) {
             ask(" state " + std::to_string(name), 1, [=](GLfloat* v) { glGetFloatv(name, v); });
+        }
         ask(" mode", 1, [](GLfloat* v) { glGetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, v); });
         ask(" colour", 4, [](GLfloat* v) { glGetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, v); });
         ask(" plane", 4, [](GLfloat* v) { glGetTexGenfv(GL_S, GL_OBJECT_PLANE, v); });
-        for (GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D})
-            for (GLenum name : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_PRIORITY})
+        for (GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D}) {
+            for (GLenum name : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_PRIORITY}) {
                 ask(" parameter " + std::to_string(target) + " " + std::to_string(name), 1,
                     [=](GLfloat* v) { glGetTexParameterfv(target, name, v); });
+            }
+        }
     }
     glActiveTexture(static_cast<GLenum>(active));
 }
@@ -59,23 +62,27 @@ Snapshot snapshot(legacygl::State& state)
         glGetFloatv(name, values.data());
     };
     legacygl::visit_variables(state, [&](GLenum name, GLbitfield group, const legacygl::StateField&) {
-        if (name != 0 && group != 0)
+        if (name != 0 && group != 0) {
             ask(name);
+        }
     });
-    for (GLenum name : capability_names(state))
+    for (GLenum name : capability_names(state)) {
         ask(name);
-    for (GLenum light = GL_LIGHT0; light < GL_LIGHT0 + 8; ++light)
+    }
+    for (GLenum light = GL_LIGHT0; light < GL_LIGHT0 + 8; ++light) {
         for (GLenum name = GL_AMBIENT; name <= GL_QUADRATIC_ATTENUATION; ++name) {
             std::vector<GLfloat>& values = out[std::to_string(light) + " " + std::to_string(name)];
             values.resize(4);
             glGetLightfv(light, name, values.data());
         }
-    for (GLenum face : {GL_FRONT, GL_BACK})
+    }
+    for (GLenum face : {GL_FRONT, GL_BACK}) {
         for (GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS}) {
             std::vector<GLfloat>& values = out[std::to_string(face) + " " + std::to_string(name)];
             values.resize(4);
             glGetMaterialfv(face, name, values.data());
         }
+    }
     ask_units(out);
     return out;
 }
@@ -90,8 +97,9 @@ public:
 
     void change(int count)
     {
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             one();
+        }
     }
 
 private:
@@ -100,8 +108,9 @@ private:
     std::array<GLfloat, 4> color()
     {
         std::array<GLfloat, 4> values;
-        for (GLfloat& v : values)
+        for (GLfloat& v : values) {
             v = number();
+        }
         return values;
     }
 
@@ -193,8 +202,9 @@ TEST_F(Attributes, PoppedStateIsTheStateThatWasPushed)
         for (; !before.empty(); before.pop_back()) {
             glPopAttrib();
             const Snapshot after = snapshot(context->state);
-            for (const auto& [name, values] : before.back())
+            for (const auto& [name, values] : before.back()) {
                 ASSERT_EQ(values, after.at(name)) << "seed " << seed << ", " << name;
+            }
         }
         glGetError(); // Asking lights for what only materials have is an error, on both sides.
     }

@@ -20,8 +20,9 @@ protected:
     static std::vector<std::string> names(const std::vector<LegacyGLCall>& calls)
     {
         std::vector<std::string> out;
-        for (const LegacyGLCall& call : calls)
+        for (const LegacyGLCall& call : calls) {
             out.emplace_back(call.name);
+        }
         return out;
     }
 };

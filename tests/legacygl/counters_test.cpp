@@ -93,8 +93,9 @@ TEST(SteadyFrame, AllocatesNothingAndCompilesNoShader)
 
 TEST_F(Counters, AdjacentPrimitivesOfOneStateShareADraw)
 {
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 10; ++i) {
         triangle(static_cast<float>(i));
+    }
     glFlush();
     EXPECT_EQ(backend->counters.draw_calls, 1u);
     EXPECT_EQ(backend->counters.vertices, 30u);
@@ -104,8 +105,9 @@ TEST_F(Counters, AListIsUploadedOnceAndDrawnInOneCall)
 {
     const GLuint list = glGenLists(1);
     glNewList(list, GL_COMPILE);
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 10; ++i) {
         triangle(static_cast<float>(i));
+    }
     glEndList();
     glCallList(list);
     glCallList(list);

@@ -35,8 +35,9 @@ TEST_F(Errors, ABadMatrixStackKeepsItsTop)
     glTranslatef(1, 0, 0);
     glPopMatrix();
     expect_error(GL_STACK_UNDERFLOW);
-    for (int i = 0; i < 40; ++i)
+    for (int i = 0; i < 40; ++i) {
         glPushMatrix();
+    }
     expect_error(GL_STACK_OVERFLOW);
     GLint depth = 0;
     glGetIntegerv(GL_MODELVIEW_STACK_DEPTH, &depth);

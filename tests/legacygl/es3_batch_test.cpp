@@ -29,8 +29,9 @@ TEST(Es3Batch, ATransformGetsTheNextSlotUnlessItIsTheLastOne)
 {
     Es3Batch batch;
     batch.begin(3);
-    for (const int number : {7, 7, 8, 9, 9})
+    for (const int number : {7, 7, 8, 9, 9}) {
         EXPECT_TRUE(batch.put(Transform(number).uniforms()));
+    }
     EXPECT_EQ(batch.slot(), 2);
     EXPECT_FALSE(batch.put(Transform(10).uniforms())) << "there are three slots";
     const UniformValues all = batch.transforms();

@@ -46,13 +46,16 @@ TEST_F(Glu, ASphereHasItsVerticesOnTheSphereAndItsNormalsAlongThem)
     LegacyGLCall normal{};
     int vertices = 0;
     for (const LegacyGLCall& call : calls_of([](GLUquadric* q) { gluSphere(q, 2, 12, 6); })) {
-        if (is(call, "glNormal3f"))
+        if (is(call, "glNormal3f")) {
             normal = call;
-        if (!is(call, "glVertex3f"))
+        }
+        if (!is(call, "glVertex3f")) {
             continue;
+        }
         ++vertices;
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             EXPECT_NEAR(component(call, i), 2 * component(normal, i), 1e-6);
+        }
     }
     EXPECT_EQ(vertices, 2 * 14 + 4 * 26); // Two fans and four strips.
 }
@@ -62,11 +65,13 @@ TEST_F(Glu, AnInsideSphereTurnsItsNormals)
     gluQuadricOrientation(quadric, GLU_INSIDE);
     LegacyGLCall normal{};
     for (const LegacyGLCall& call : calls_of([](GLUquadric* q) { gluSphere(q, 1, 8, 4); })) {
-        if (is(call, "glNormal3f"))
+        if (is(call, "glNormal3f")) {
             normal = call;
+        }
         if (is(call, "glVertex3f")) {
-            for (int i = 0; i < 3; ++i)
+            for (int i = 0; i < 3; ++i) {
                 EXPECT_NEAR(component(call, i), -component(normal, i), 1e-6);
+            }
         }
     }
 }
@@ -74,9 +79,11 @@ TEST_F(Glu, AnInsideSphereTurnsItsNormals)
 TEST_F(Glu, EveryCircleClosesWithoutAGap)
 {
     std::vector<LegacyGLCall> vertices;
-    for (const LegacyGLCall& call : calls_of([](GLUquadric* q) { gluCylinder(q, 1, 0.5, 2, 7, 1); }))
-        if (is(call, "glVertex3f"))
+    for (const LegacyGLCall& call : calls_of([](GLUquadric* q) { gluCylinder(q, 1, 0.5, 2, 7, 1); })) {
+        if (is(call, "glVertex3f")) {
             vertices.push_back(call);
+        }
+    }
     ASSERT_EQ(vertices.size(), 16u);
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(component(vertices[0], i), component(vertices[14], i));

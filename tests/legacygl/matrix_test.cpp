@@ -10,13 +10,15 @@ using legacygl::Matrix;
 
 void expect_inverse(const Matrix& m, float tolerance = 1e-5f)
 {
-    for (int row = 0; row < 4; ++row)
+    for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
             float sum = 0;
-            for (int k = 0; k < 4; ++k)
+            for (int k = 0; k < 4; ++k) {
                 sum += m.values()[row + 4 * k] * m.inverse()[k + 4 * column];
+            }
             EXPECT_NEAR(sum, row == column ? 1.0f : 0.0f, tolerance) << row << "," << column;
         }
+    }
 }
 
 TEST(Matrix, InvertsEveryKind)
@@ -46,8 +48,9 @@ TEST(Matrix, ALoadedMatrixIsInvertedLikeTheSameMadeByCalls)
     made.rotate(30, 0, 1, 0);
     Matrix loaded;
     loaded.load(made.values());
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         EXPECT_EQ(loaded.inverse()[i], made.inverse()[i]) << i;
+    }
     EXPECT_TRUE(loaded.preserves_length());
 }
 
@@ -77,8 +80,9 @@ TEST(Matrix, RotatingAboutAnAxisIsTheSameAsAboutAnyMultipleOfIt)
     Matrix a, b;
     a.rotate(33, 0, 0, 1);
     b.rotate(33, 0, 0, 7);
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         EXPECT_EQ(a.values()[i], b.values()[i]);
+    }
     Matrix none;
     none.rotate(33, 0, 0, 0);
     EXPECT_EQ(none.values()[0], 1.0f);

@@ -30,8 +30,9 @@ public:
 
     void make(int count)
     {
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             one();
+        }
     }
     bool inside() const { return inside_; }
 
@@ -94,10 +95,11 @@ private:
 
     void begin_or_end()
     {
-        if (inside_)
+        if (inside_) {
             glEnd();
-        else
+        } else {
             glBegin(some_mode(seed_, static_cast<unsigned>(random_())));
+        }
         inside_ = !inside_;
     }
 
@@ -144,8 +146,9 @@ protected:
     Outcome outcome()
     {
         const bool inside = context->immediate.inside();
-        if (inside)
+        if (inside) {
             glEnd();
+        }
         Outcome out{corners(), context->state.current, context->error, inside};
         return out;
     }
@@ -177,8 +180,9 @@ TEST_F(RandomStreams, ReplayedFromListsAreAsDrawnAtOnce)
         ASSERT_EQ(first_difference(direct, replayed, [](const Corner& c) { return c.position; }),
                   direct.corners.size())
             << "seed " << seed;
-        for (int a = 1; a < legacygl::ATTRIBUTE_COUNT; ++a)
+        for (int a = 1; a < legacygl::ATTRIBUTE_COUNT; ++a) {
             ASSERT_EQ(direct.current[a], replayed.current[a]) << "seed " << seed << " attribute " << a;
+        }
         ASSERT_EQ(direct.error, replayed.error) << "seed " << seed;
         ASSERT_EQ(direct.inside, replayed.inside) << "seed " << seed;
     }
@@ -191,12 +195,14 @@ TEST_F(RandomStreams, ReplayedFromListsHaveTheSameColours)
         const auto stream = [seed] {
             std::mt19937 random(seed);
             for (int primitive = 0; primitive < 4; ++primitive) {
-                if (random() % 2)
+                if (random() % 2) {
                     glColor3f(static_cast<float>(random() % 4), 0, 1);
+                }
                 glBegin(some_mode(seed, static_cast<unsigned>(random())));
                 for (unsigned i = random() % 9; i > 0; --i) {
-                    if (random() % 3 == 0)
+                    if (random() % 3 == 0) {
                         glColor4f(0, static_cast<float>(random() % 4), 0, 0.25f);
+                    }
                     glVertex2f(static_cast<float>(i), static_cast<float>(random() % 5));
                 }
                 glEnd();

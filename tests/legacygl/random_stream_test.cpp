@@ -92,12 +92,13 @@ std::vector<double> visible_state()
         glGetDoublev(name, values);
         out.insert(out.end(), values, values + 16);
     }
-    for (const GLenum face : {GL_FRONT, GL_BACK})
+    for (const GLenum face : {GL_FRONT, GL_BACK}) {
         for (const GLenum name : {GL_DIFFUSE, GL_EMISSION, GL_AMBIENT, GL_SPECULAR, GL_SHININESS}) {
             GLfloat values[4] = {};
             glGetMaterialfv(face, name, values);
             out.insert(out.end(), values, values + 4);
         }
+    }
     return out;
 }
 
@@ -126,20 +127,23 @@ protected:
         gl_ = legacygl_create(platform::find_egl_function, WIDTH, HEIGHT, LEGACYGL_TARGET_OWN);
         ASSERT_NE(gl_, nullptr) << legacygl_last_message();
         random_gl::RandomStream::make_textures();
-        if (quads == Quads::first_provokes)
+        if (quads == Quads::first_provokes) {
             glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
+        }
     }
     /// A stream without what may not stand in a list, or leaves undefined what is current.
     static random_gl::RandomStream stream(unsigned seed, Quads quads)
     {
-        if (quads == Quads::all)
+        if (quads == Quads::all) {
             return random_gl::RandomStream(
                 seed, {Feature::display_lists, Feature::copied_textures, Feature::arrays});
-        if (quads == Quads::first_provokes)
+        }
+        if (quads == Quads::first_provokes) {
             return random_gl::RandomStream(seed, {Feature::display_lists, Feature::quad_strips,
                                                   Feature::provoking_vertex, Feature::arrays,
                                                   Feature::copied_textures, Feature::texture_parameters,
                                                   Feature::texture_combiners, Feature::second_texture_unit});
+        }
         return random_gl::RandomStream(
             seed, {Feature::display_lists, Feature::quads, Feature::quad_strips, Feature::rectangles,
                    Feature::meshes, Feature::quadrics, Feature::arrays, Feature::copied_textures,
@@ -212,15 +216,17 @@ TEST_F(RandomStreams, PoppedAttributesAreThosePushed)
     renew(Quads::all);
     for (unsigned seed = 0; seed < 20 * stream_count(); ++seed) {
         random_gl::RandomStream changes = stream(100000 + seed, Quads::all);
-        for (int i = 0; i < 10; ++i)
+        for (int i = 0; i < 10; ++i) {
             changes.state();
+        }
         changes.program().run();
         const std::size_t pushed_at = changes.program().size();
         const std::vector<double> before = visible_state();
         glPushMatrix(); // Matrices are no attributes.
         glPushAttrib(GL_ALL_ATTRIB_BITS);
-        for (int i = 0; i < 20; ++i)
+        for (int i = 0; i < 20; ++i) {
             changes.state();
+        }
         changes.program().run(pushed_at);
         glPopAttrib();
         glPopMatrix();

@@ -19,10 +19,12 @@ public:
 
     void make(int count)
     {
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             one();
-        if (inside_)
+        }
+        if (inside_) {
             begin_or_end();
+        }
     }
 
 private:
@@ -67,11 +69,11 @@ private:
 
     void state()
     {
-        constexpr GLenum modes[] = {GL_POINT, GL_LINE, GL_FILL},
+        constexpr GLenum MODES[] = {GL_POINT, GL_LINE, GL_FILL},
                          faces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
         switch (pick(12)) {
         case 0: {
-            const GLenum face = faces[pick(3)], mode = modes[pick(3)];
+            const GLenum face = faces[pick(3)], mode = MODES[pick(3)];
             return glPolygonMode(face, mode);
         }
         case 1: {
@@ -85,8 +87,9 @@ private:
         case 4: {
             const GLenum name = GL_CLIP_PLANE0 + static_cast<GLenum>(pick(5));
             GLdouble equation[4];
-            for (GLdouble& e : equation)
+            for (GLdouble& e : equation) {
                 e = static_cast<double>(number());
+            }
             return glClipPlane(name, equation);
         }
         case 5:
@@ -114,10 +117,11 @@ private:
 
     void begin_or_end()
     {
-        if (inside_)
+        if (inside_) {
             glEnd();
-        else
+        } else {
             glBegin(static_cast<GLenum>(pick(10)));
+        }
         inside_ = !inside_;
     }
 
@@ -178,9 +182,11 @@ TEST_F(RandomRasters, OnlyNumbersReachTheBackend)
         renew();
         RandomRaster(100000 + seed).make(60);
         context->flush_vertices();
-        for (const BackendRecord& draw : backend->draws())
-            for (const float value : draw.vertices)
+        for (const BackendRecord& draw : backend->draws()) {
+            for (const float value : draw.vertices) {
                 ASSERT_TRUE(std::isfinite(value)) << "seed " << seed;
+            }
+        }
     }
 }
 

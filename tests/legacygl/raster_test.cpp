@@ -22,10 +22,13 @@ protected:
     {
         context->flush_vertices();
         std::uint32_t count = 0;
-        for (const BackendRecord& draw : backend->draws())
-            for (const legacygl::DrawRun& run : draw.runs)
-                if (run.primitive == primitive)
+        for (const BackendRecord& draw : backend->draws()) {
+            for (const legacygl::DrawRun& run : draw.runs) {
+                if (run.primitive == primitive) {
                     count += run.count;
+                }
+            }
+        }
         return count;
     }
     void square()
@@ -75,8 +78,9 @@ TEST_F(Raster, ALineModeQuadHasItsFourEdgesAndNoDiagonal)
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     square();
     EXPECT_EQ(drawn(PrimitiveClass::triangles), 0u);
-    for (const float length : line_lengths())
+    for (const float length : line_lengths()) {
         EXPECT_FLOAT_EQ(length, 1);
+    }
     EXPECT_EQ(drawn(PrimitiveClass::lines), 8u);
 }
 
@@ -150,8 +154,9 @@ TEST_F(Raster, AUserPlaneCutsAPolygonAndShowsTheCutAsAnEdge)
     glVertex2f(0.5f, 0.5f);
     glEnd();
     EXPECT_EQ(drawn(PrimitiveClass::lines), 8u);
-    for (const Corner& corner : corners())
+    for (const Corner& corner : corners()) {
         EXPECT_GE(corner.position.x, 0);
+    }
 }
 
 TEST_F(Raster, TheViewVolumeCutsAPolygonWithoutAnEdge)
@@ -214,8 +219,9 @@ TEST_F(Raster, SeparateLinesBeginTheStippleAnew)
     for (const GLenum mode : {GL_LINES, GL_LINE_STRIP}) {
         const std::uint32_t before = drawn(PrimitiveClass::triangles);
         glBegin(mode);
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 4; ++i) {
             glVertex2f(-1 + 8.0f / 32 * static_cast<float>(i), 0.5f / 32);
+        }
         glEnd();
         EXPECT_EQ(drawn(PrimitiveClass::triangles) - before, 12u)
             << (mode == GL_LINES ? "of 2 lines" : "of 3 lines");
@@ -242,8 +248,9 @@ TEST_F(Raster, LinesThatLeaveTheViewAreCutWhereEsDoesNotCutThem)
     };
     const auto greatest_x = [&] {
         float x = 0;
-        for (const Corner& corner : corners())
+        for (const Corner& corner : corners()) {
             x = std::max(x, corner.position.x);
+        }
         return x;
     };
     lines(3);
@@ -323,8 +330,9 @@ TEST_F(Raster, TheFirstVertexCanProvoke)
         glVertex2f(static_cast<float>(i) * 0.2f, i == 2 ? 0.5f : 0);
     }
     glEnd();
-    for (const Corner& corner : corners())
+    for (const Corner& corner : corners()) {
         EXPECT_EQ(corner.color.r, 0);
+    }
     EXPECT_EQ(drawn(PrimitiveClass::triangles), 3u);
 }
 

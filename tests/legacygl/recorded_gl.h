@@ -36,10 +36,13 @@ protected:
     {
         context->flush_vertices();
         std::vector<Corner> out;
-        for (const legacygl::BackendRecord& draw : backend->draws())
-            for (const legacygl::DrawRun& run : draw.runs)
-                for (std::uint32_t i = 0; i < run.count; ++i)
+        for (const legacygl::BackendRecord& draw : backend->draws()) {
+            for (const legacygl::DrawRun& run : draw.runs) {
+                for (std::uint32_t i = 0; i < run.count; ++i) {
                     out.push_back(corner(draw, run.indexed ? draw.indices[run.first + i] : run.first + i));
+                }
+            }
+        }
         return out;
     }
 
@@ -53,13 +56,15 @@ private:
         std::array<glm::vec4, ATTRIBUTE_COUNT> values = draw.constants;
         for (int a = 0; a < ATTRIBUTE_COUNT; ++a) {
             const int components = draw.format.components[a];
-            if (components == 0)
+            if (components == 0) {
                 continue;
+            }
             values[a] = {0, 0, 0, 1};
             const std::size_t at = static_cast<std::size_t>(vertex) * draw.format.floats() +
                                    draw.format.offset(static_cast<Attribute>(a));
-            for (int c = 0; c < components; ++c)
+            for (int c = 0; c < components; ++c) {
                 values[a][c] = draw.vertices[at + c];
+            }
         }
         const std::vector<glm::vec4>& m = draw.uniforms[0];
         const glm::vec4 p = values[0];

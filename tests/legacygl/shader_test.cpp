@@ -57,8 +57,9 @@ TEST_F(Shader, OneKeyHasOneTextAndOtherKeysHaveOthers)
         k.lights[0].positional = (bits & 64) && k.eye_space;
         k.local_viewer = (bits & 128) && k.eye_space;
         k.follows_color = bits & 256 ? 3 : 0;
-        if (!keys.insert(k).second)
+        if (!keys.insert(k).second) {
             continue;
+        }
         const ProgramText text = make_program_text(k);
         EXPECT_EQ(make_program_text(k).vertex, text.vertex);
         // The half vector is unused without specular light, so a viewer close by changes nothing then.

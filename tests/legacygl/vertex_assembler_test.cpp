@@ -74,8 +74,9 @@ TEST_F(Vertices, AChangeOfStateSplitsTheBatch)
 TEST_F(Vertices, AMillionMakeOnePrimitive)
 {
     glBegin(GL_TRIANGLE_STRIP);
-    for (int i = 0; i < 1000000; ++i)
+    for (int i = 0; i < 1000000; ++i) {
         glVertex2f(static_cast<float>(i), static_cast<float>(i % 2));
+    }
     glEnd();
     context->flush_vertices();
     EXPECT_EQ(backend->counters.vertices, 3u * 999998);
@@ -100,8 +101,9 @@ TEST_F(Vertices, TheNextBatchTakesWhatIsCurrentWhateverTheLastOneHad)
     triangle();
     const auto drawn = corners();
     ASSERT_EQ(drawn.size(), 6u);
-    for (int i = 3; i < 6; ++i)
+    for (int i = 3; i < 6; ++i) {
         EXPECT_EQ(drawn[i].color, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+    }
 }
 
 TEST_F(Vertices, AColorBeforeTheFirstVertexKeepsItsAlphaWhateverTheLastBatchHad)
@@ -109,8 +111,9 @@ TEST_F(Vertices, AColorBeforeTheFirstVertexKeepsItsAlphaWhateverTheLastBatchHad)
     draw_colored_triangle();
     glBegin(GL_TRIANGLES);
     glColor4f(0.1f, 0.2f, 0.3f, 0.4f);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         glVertex2f(static_cast<float>(i % 2), static_cast<float>(i / 2));
+    }
     glEnd();
     const auto drawn = corners();
     ASSERT_EQ(drawn.size(), 6u);

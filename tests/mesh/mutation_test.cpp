@@ -19,8 +19,9 @@ public:
 
     Bytes damaged(Bytes bytes)
     {
-        for (std::size_t i = 1 + random_() % 4; i > 0 && !bytes.empty(); --i)
+        for (std::size_t i = 1 + random_() % 4; i > 0 && !bytes.empty(); --i) {
             damage(bytes);
+        }
         return bytes;
     }
 

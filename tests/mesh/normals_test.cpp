@@ -45,21 +45,23 @@ TEST(CompleteNormals, GivesEachFlatPolygonOneNormalOfItsOwn)
 
 TEST(CompleteNormals, IsFlatWithSmoothingOffOrUnreadable)
 {
-    for (const std::string off : {"s off\n", "s 0\n", "s\n", "s none\n", "s 1\ns off\n", "s -1\n"})
+    for (const std::string off : {"s off\n", "s 0\n", "s\n", "s none\n", "s 1\ns off\n", "s -1\n"}) {
         EXPECT_EQ(read(two_squares + off + both_faces).normals.size(), 2U) << off;
+    }
 }
 
 TEST(CompleteNormals, MeansTheNormalsThatMeetInASmoothingGroup)
 {
     const ObjMesh m = read(two_squares + "s 1\n" + both_faces);
-    const float half = std::sqrt(0.5F);
-    for (std::size_t face = 0; face < m.faces.size(); ++face)
+    const float half = std::sqrt(0.5f);
+    for (std::size_t face = 0; face < m.faces.size(); ++face) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const bool on_edge = m.positions[m.faces[face].vertices[corner].position].x == 0 &&
                                  m.positions[m.faces[face].vertices[corner].position].z == 0;
             const glm::vec3 own = face < 2 ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
             expect_near(normal_at(m, face, corner), on_edge ? glm::vec3(half, 0, half) : own);
         }
+    }
 }
 
 TEST(CompleteNormals, SharesOneNormalAmongTheCornersThatMeet)
@@ -70,9 +72,11 @@ TEST(CompleteNormals, SharesOneNormalAmongTheCornersThatMeet)
 TEST(CompleteNormals, KeepsAnEdgeBetweenTwoSmoothingGroupsSharp)
 {
     const ObjMesh m = read(two_squares + "s 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n");
-    for (std::size_t face = 0; face < 4; ++face)
-        for (std::size_t corner = 0; corner < 3; ++corner)
+    for (std::size_t face = 0; face < 4; ++face) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
             expect_near(normal_at(m, face, corner), face < 2 ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0));
+        }
+    }
 }
 
 TEST(CompleteNormals, CarriesASmoothingGroupOverGroupsAndObjects)
@@ -86,7 +90,7 @@ TEST(CompleteNormals, WeighsByAngleSoThatTheCuttingOfPolygonsDoesNotMatter)
     const std::string corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 0\nv 1 0 1\nv 0 1 1\ns 1\n";
     const ObjMesh quads = read(corner + "f 1 3 5 2\nf 1 4 7 3\nf 1 2 6 4\n");
     const ObjMesh triangles = read(corner + "f 1 3 5\nf 1 5 2\nf 4 7 3\nf 1 4 3\nf 1 2 4\nf 2 6 4\n");
-    const glm::vec3 outwards = glm::vec3(-1) / std::sqrt(3.0F);
+    const glm::vec3 outwards = glm::vec3(-1) / std::sqrt(3.0f);
     expect_near(normal_at(quads, 0, 0), outwards);
     expect_near(normal_at(triangles, 0, 0), outwards);
 }
@@ -104,8 +108,9 @@ TEST(CompleteNormals, PointsUpWhereThereIsNoArea)
 {
     for (const std::string smoothing : {"", "s 1\n"}) {
         const ObjMesh m = read("v 0 0 0\nv 1 1 1\nv 2 2 2\n" + smoothing + "f 1 2 3\n");
-        for (std::size_t corner = 0; corner < 3; ++corner)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
             EXPECT_EQ(normal_at(m, 0, corner), glm::vec3(0, 1, 0));
+        }
     }
 }
 
@@ -143,19 +148,21 @@ TEST(CompleteNormals, LetsNormalsThatFollowKeepTheirNumbers)
 
 TEST(CompleteNormals, StaysFiniteForTheLargestAndSmallestPositions)
 {
-    for (const std::string size : {"3.4e38", "1e-38", "1.5e-45"})
+    for (const std::string size : {"3.4e38", "1e-38", "1.5e-45"}) {
         for (const std::string smoothing : {"", "s 1\n"}) {
             const ObjMesh m =
                 read("v 0 0 0\nv " + size + " 0 0\nv 0 0 -" + size + "\n" + smoothing + "f 1 2 3\n");
             expect_near(normal_at(m, 0, 0), {0, 1, 0});
         }
+    }
 }
 
 TEST(CompleteNormals, SmoothsAHundredThousandFacesAroundOneVertexInGoodTime)
 {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    for (int i = 0; i < 100'000; ++i)
+    for (int i = 0; i < 100'000; ++i) {
         text += "s " + std::to_string(1 + i) + "\nf 1 2 3\n";
+    }
     EXPECT_EQ(read(text).normals.size(), 300'000U);
 }
 

@@ -12,8 +12,9 @@ constexpr const char* corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 std::string refusal(const std::string& text)
 {
     const base::Result<mesh::ObjMesh> result = mesh::read_obj("test.obj", text);
-    if (result)
+    if (result) {
         return "was read";
+    }
     const auto is_line_end = [](char c) { return c == '\n' || c == '\r'; };
     EXPECT_EQ(broken_invariant(result.error(), 1 + int(std::count_if(text.begin(), text.end(), is_line_end))),
               "");
@@ -69,8 +70,9 @@ TEST(ReadObjRefuses, ATextOfAHundredMegabytes)
 {
     std::string text;
     text.reserve(100 << 20);
-    while (text.size() < (100 << 20))
+    while (text.size() < (100 << 20)) {
         text += corner;
+    }
     EXPECT_EQ(refusal(text),
               "test.obj: the file has 100 MB and at most 32 MB are read; reduce the number of polygons "
               "or split the model");
@@ -79,11 +81,13 @@ TEST(ReadObjRefuses, ATextOfAHundredMegabytes)
 TEST(ReadObjRefuses, TooManyTriangles)
 {
     std::string face = "f";
-    for (int i = 0; i < 100'000; ++i)
+    for (int i = 0; i < 100'000; ++i) {
         face += " 1 2";
+    }
     std::string text = corner;
-    for (int i = 0; i < 11; ++i)
+    for (int i = 0; i < 11; ++i) {
         text += face + "\n";
+    }
     EXPECT_TRUE(contains(refusal(text), "test.obj:14: the model has more than 2000000 triangles"));
 }
 
@@ -119,8 +123,9 @@ TEST(ReadObjRefuses, ATextureCoordinateWithoutOneToThreeNumbers)
 TEST(ReadObjRefuses, WhatIsNotANumber)
 {
     for (const std::string word : {"x", "-", "+", ".", "-.", "1.2.3", "1.5abc", "1e", "1e+", "e5", "--1",
-                                   "0x10", "1-2", "1e5.0", "1/2", "'1'", "1_000", "\xC2\xBD"})
+                                   "0x10", "1-2", "1e5.0", "1/2", "'1'", "1_000", "\xC2\xBD"}) {
         EXPECT_TRUE(contains(refusal_of_line("v 1 " + word + " 2"), "test.obj:4: '")) << word;
+    }
 }
 
 TEST(ReadObjRefuses, ADecimalCommaAndSaysSo)
@@ -132,10 +137,12 @@ TEST(ReadObjRefuses, ADecimalCommaAndSaysSo)
 TEST(ReadObjRefuses, NotANumberAndInfinity)
 {
     for (const std::string word :
-         {"nan", "NaN", "-nan", "nan(ind)", "-nan(snan)", "inf", "-Inf", "INFINITY", "+inf"})
-        for (const std::string keyword : {"v 0 0 ", "vn 0 0 ", "vt 0 "})
+         {"nan", "NaN", "-nan", "nan(ind)", "-nan(snan)", "inf", "-Inf", "INFINITY", "+inf"}) {
+        for (const std::string keyword : {"v 0 0 ", "vn 0 0 ", "vt 0 "}) {
             EXPECT_TRUE(contains(refusal_of_line(keyword + word), "is not a number a model can have"))
                 << word;
+        }
+    }
 }
 
 TEST(ReadObjRefuses, ANumberOutsideFloatsRange)
@@ -144,7 +151,7 @@ TEST(ReadObjRefuses, ANumberOutsideFloatsRange)
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 -1e39"), "is outside the range"));
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 1e400"), "is outside the range"));
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 " + std::string(60, '9')), "is outside the range"));
-    // These two overflow an int in tinyobjloader, if they get that far.
+    // These two overflow an int.
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 1e2147483648"), "has an exponent outside the range"));
     EXPECT_TRUE(contains(refusal_of_line("v 0 0 1e-2147483649"), "has an exponent outside the range"));
 }
@@ -167,10 +174,11 @@ TEST(ReadObjRefuses, AFaceWithFewerThanThreeVertices)
 TEST(ReadObjRefuses, IndexZero)
 {
     for (const std::string face :
-         {"f 0 1 2", "f 1 2 -0", "f 1 +000 2", "f 1/0 2/1 3/1", "f 1//0 2//1 3//1", "f 1/1/0 2 3"})
+         {"f 0 1 2", "f 1 2 -0", "f 1 +000 2", "f 1/0 2/1 3/1", "f 1//0 2//1 3//1", "f 1/1/0 2 3"}) {
         EXPECT_TRUE(
             contains(refusal_of_line(face), "has an index 0; indices count from 1, or backwards from -1"))
             << face;
+    }
 }
 
 TEST(ReadObjRefuses, AnIndexBeyondTheLast)
@@ -198,16 +206,18 @@ TEST(ReadObjRefuses, ANegativeIndexBeforeTheFirst)
 
 TEST(ReadObjRefuses, AHugeIndex)
 {
-    for (const std::string index :
-         {"999999999", "-999999999", "2147483648", "-2147483649", "4294967297", "99999999999999999999999999"})
+    for (const std::string index : {"999999999", "-999999999", "2147483648", "-2147483649", "4294967297",
+                                    "99999999999999999999999999"}) {
         EXPECT_TRUE(contains(refusal_of_line("f 1 2 " + index), "out of range")) << index;
+    }
 }
 
 TEST(ReadObjRefuses, ACornerThatIsNoneOfTheFourForms)
 {
     for (const std::string word :
-         {"x", "1/", "/1", "1//", "//1", "1/2/", "/", "1x", "1.0", "1-2", "+", "-", "1/x", "1\\2"})
+         {"x", "1/", "/1", "1//", "//1", "1/2/", "/", "1x", "1.0", "1-2", "+", "-", "1/x", "1\\2"}) {
         EXPECT_TRUE(contains(refusal_of_line("f 1 2 " + word), "is not a corner of a face")) << word;
+    }
     EXPECT_TRUE(contains(refusal_of_line("f 1/1/1/1 2 3"), "has more than three indices"));
     EXPECT_TRUE(
         contains(refusal_of_line("f 1 2 " + std::string(1000, '0') + "1"), "is too long for a corner"));
@@ -217,9 +227,10 @@ TEST(ReadObjRefuses, AFaceThatMixesForms)
 {
     const std::string before = std::string(corner) + "vt 0 0\nvn 0 0 1\n";
     for (const std::string face :
-         {"f 1 2/1 3", "f 1/1 2 3", "f 1//1 2/1 3/1", "f 1/1/1 2/1 3/1/1", "f 1/1/1 2//1 3/1/1"})
+         {"f 1 2/1 3", "f 1/1 2 3", "f 1//1 2/1 3/1", "f 1/1/1 2/1 3/1/1", "f 1/1/1 2//1 3/1/1"}) {
         EXPECT_TRUE(contains(refusal(before + face), "test.obj:6: a face must be written the same way"))
             << face;
+    }
 }
 
 // Where.

@@ -53,10 +53,11 @@ public:
 
     void index(int zero_based, std::size_t count)
     {
-        if (below(3) == 0)
+        if (below(3) == 0) {
             text_ << zero_based - int(count);
-        else
+        } else {
             text_ << zero_based + 1;
+        }
     }
 
     /// Writes some vertices, then some faces, then more of both, so that negative indices count from many
@@ -66,14 +67,18 @@ public:
         ObjMesh m;
         const int rounds = 1 + below(4);
         for (int round = 0; round < rounds; ++round) {
-            for (int i = 3 + below(6); i > 0; --i)
+            for (int i = 3 + below(6); i > 0; --i) {
                 numbers("v", m.positions.emplace_back(number(), number(), number()));
-            for (int i = 1 + below(4); i > 0; --i)
+            }
+            for (int i = 1 + below(4); i > 0; --i) {
                 numbers("vn", m.normals.emplace_back(number(), number(), 1));
-            for (int i = 1 + below(4); i > 0; --i)
+            }
+            for (int i = 1 + below(4); i > 0; --i) {
                 numbers("vt", m.texture_coordinates.emplace_back(number(), number()));
-            for (int i = 1 + below(5); i > 0; --i)
+            }
+            for (int i = 1 + below(5); i > 0; --i) {
                 write_face(m);
+            }
         }
         return m;
     }
@@ -93,8 +98,9 @@ private:
             gap();
             index(v.position, m.positions.size());
             text_ << '/';
-            if (textured)
+            if (textured) {
                 index(v.texture_coordinate, m.texture_coordinates.size());
+            }
             text_ << '/';
             index(v.normal, m.normals.size());
         }
@@ -127,15 +133,17 @@ TEST(ReadObjProperty, KeepsItsPromisesForAnyPolygonsWithoutNormals)
     for (int i = 0; i < 1000; ++i) {
         const unsigned vertices = 3 + random() % 12;
         std::string text;
-        for (unsigned v = 0; v < vertices; ++v)
+        for (unsigned v = 0; v < vertices; ++v) {
             text += "v " + std::to_string(random() % 5) + ' ' + std::to_string(random() % 5) + ' ' +
                     std::to_string(random() % 3) + '\n';
+        }
         std::size_t triangles = 0;
         for (int face = 0; face < 5; ++face) {
             text += "s " + std::to_string(random() % 3) + "\nf";
             const unsigned corners = 3 + random() % 8;
-            for (unsigned c = 0; c < corners; ++c)
+            for (unsigned c = 0; c < corners; ++c) {
                 text += ' ' + std::to_string(1 + random() % vertices);
+            }
             text += '\n';
             triangles += corners - 2;
         }
@@ -143,8 +151,9 @@ TEST(ReadObjProperty, KeepsItsPromisesForAnyPolygonsWithoutNormals)
         ASSERT_TRUE(read) << read.error().message();
         ASSERT_EQ(broken_invariant(read.value()), "") << text;
         ASSERT_EQ(read.value().faces.size(), triangles);
-        for (const glm::vec3& normal : read.value().normals)
+        for (const glm::vec3& normal : read.value().normals) {
             ASSERT_NEAR(glm::dot(normal, normal), 1, 1e-5);
+        }
     }
 }
 

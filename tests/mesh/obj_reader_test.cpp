@@ -15,8 +15,9 @@ ObjMesh read(std::string_view text)
 {
     base::Result<ObjMesh> result = mesh::read_obj("test.obj", text);
     EXPECT_TRUE(result) << (result ? "" : result.error().message());
-    if (!result)
+    if (!result) {
         return {};
+    }
     EXPECT_EQ(broken_invariant(result.value()), "");
     return std::move(result).value();
 }
@@ -37,7 +38,7 @@ TEST(ReadObj, ReadsPositionsNormalsTextureCoordinatesAndFaces)
                            "vn 0 0 1\nvn 0 1 0\n"
                            "f 1/1/1 2/2/2 3/1/2\n");
     EXPECT_EQ(m.positions, (std::vector<glm::vec3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}));
-    EXPECT_EQ(m.texture_coordinates, (std::vector<glm::vec2>{{0, 0.25F}, {0.5F, 1}}));
+    EXPECT_EQ(m.texture_coordinates, (std::vector<glm::vec2>{{0, 0.25f}, {0.5f, 1}}));
     EXPECT_EQ(m.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}}));
     ASSERT_EQ(m.faces.size(), 1U);
     EXPECT_EQ(m.faces[0].vertices[0], (FaceVertex{0, 0, 0}));
@@ -86,11 +87,11 @@ TEST(ReadObj, CountsNegativeIndicesBackFromWhatWasReadSoFar)
 TEST(ReadObj, ReadsEveryWayOfWritingANumber)
 {
     EXPECT_EQ(read_vertex("v -1 +2 3."), glm::vec3(-1, 2, 3));
-    EXPECT_EQ(read_vertex("v .5 -.25 1e1"), glm::vec3(0.5F, -0.25F, 10));
-    EXPECT_EQ(read_vertex("v 1.5e-3 2E+2 1e0"), glm::vec3(1.5e-3F, 200, 1));
-    EXPECT_EQ(read_vertex("v 000001 0.1000000000000000055511151231257827 1.e2"), glm::vec3(1, 0.1F, 100));
+    EXPECT_EQ(read_vertex("v .5 -.25 1e1"), glm::vec3(0.5f, -0.25f, 10));
+    EXPECT_EQ(read_vertex("v 1.5e-3 2E+2 1e0"), glm::vec3(1.5e-3f, 200, 1));
+    EXPECT_EQ(read_vertex("v 000001 0.1000000000000000055511151231257827 1.e2"), glm::vec3(1, 0.1f, 100));
     EXPECT_EQ(read_vertex("v 3.4028234e38 -3.4028234e38 1e-40"),
-              glm::vec3(3.4028234e38F, -3.4028234e38F, 1e-40F));
+              glm::vec3(3.4028234e38f, -3.4028234e38f, 1e-40F));
     EXPECT_EQ(read_vertex("v 0e400 1e-400 0.0"), glm::vec3(0));
 }
 
@@ -104,7 +105,7 @@ TEST(ReadObj, DropsAWeightOrColourAfterAPosition)
 TEST(ReadObj, ReadsOneTwoOrThreeTextureCoordinates)
 {
     const ObjMesh m = read(std::string(corner) + "vt 0.5\nvt 0.5 0.25\nvt 0.5 0.75 1\nf 1/1 2/2 3/3\n");
-    EXPECT_EQ(m.texture_coordinates, (std::vector<glm::vec2>{{0.5F, 0}, {0.5F, 0.25F}, {0.5F, 0.75F}}));
+    EXPECT_EQ(m.texture_coordinates, (std::vector<glm::vec2>{{0.5f, 0}, {0.5f, 0.25f}, {0.5f, 0.75f}}));
 }
 
 TEST(ReadObj, ReadsEveryKindOfLineEnd)
@@ -160,11 +161,13 @@ TEST(ReadObj, SkipsAByteOrderMarkAndADosEndOfFile)
 TEST(ReadObj, ReadsDecimalPointsInALocaleWithCommas)
 {
     bool found = false;
-    for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "sv_SE.UTF-8"})
+    for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "sv_SE.UTF-8"}) {
         found = found || std::setlocale(LC_NUMERIC, name) != nullptr;
-    if (!found)
+    }
+    if (!found) {
         GTEST_SKIP() << "no locale with a decimal comma is installed";
-    EXPECT_EQ(read_vertex("v 1.5 2.25 1e-1"), glm::vec3(1.5F, 2.25F, 0.1F));
+    }
+    EXPECT_EQ(read_vertex("v 1.5 2.25 1e-1"), glm::vec3(1.5f, 2.25f, 0.1f));
     std::setlocale(LC_NUMERIC, "C");
 }
 
@@ -184,7 +187,7 @@ TEST(ReadObj, KeepsTheGroupsOfFacesInTheirOrder)
 TEST(ReadObj, KeepsGivenNormalsAsTheyAre)
 {
     const ObjMesh m = read(std::string(corner) + "vn 0 0 0.2\nvn 3 2 1\nvn -1 0 0\nf 1//1 2//2 3//3\n");
-    EXPECT_EQ(m.normals, (std::vector<glm::vec3>{{0, 0, 0.2F}, {3, 2, 1}, {-1, 0, 0}}));
+    EXPECT_EQ(m.normals, (std::vector<glm::vec3>{{0, 0, 0.2f}, {3, 2, 1}, {-1, 0, 0}}));
 }
 
 TEST(ReadObj, KeepsATriangleWithoutArea)
@@ -217,9 +220,11 @@ TEST(ReadObj, KeepsTheIndicesOfEachCornerWhenItCutsAPolygon)
     const ObjMesh m = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
                            "f 1/4/1 2/3/1 3/2/1 4/1/1\n");
     ASSERT_EQ(m.faces.size(), 2U);
-    for (const mesh::Face& face : m.faces)
-        for (const FaceVertex& v : face.vertices)
+    for (const mesh::Face& face : m.faces) {
+        for (const FaceVertex& v : face.vertices) {
             EXPECT_EQ(v.position + v.texture_coordinate, 3);
+        }
+    }
 }
 
 TEST(ReadObj, ReadsACubeThatWasWritten)
@@ -229,12 +234,13 @@ TEST(ReadObj, ReadsACubeThatWasWritten)
     EXPECT_EQ(m.texture_coordinates.size(), 4U);
     EXPECT_EQ(m.normals.size(), 6U);
     ASSERT_EQ(m.faces.size(), 12U);
-    for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t i = 0; i < 12; ++i) {
         for (const FaceVertex& v : m.faces[i].vertices) {
             EXPECT_EQ(v.normal, int(i / 2));
             // On face n of the cube, the position lies in the direction of the normal.
             EXPECT_EQ(glm::dot(m.positions[v.position], m.normals[v.normal]), 1);
         }
+    }
     EXPECT_EQ(broken_invariant(read(written_obj(m))), "");
     EXPECT_EQ(read(written_obj(m)).faces, m.faces);
     EXPECT_EQ(read(written_obj(m)).positions, m.positions);

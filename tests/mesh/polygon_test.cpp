@@ -28,9 +28,9 @@ struct Cut
 Cut cut(const Outline& outline)
 {
     Cut result;
-    long long steps_left = mesh::max_polygon_steps;
+    long long steps_left = mesh::MAX_POLYGON_STEPS;
     EXPECT_TRUE(mesh::triangulate_polygon(outline, result.triangles, steps_left));
-    result.steps = mesh::max_polygon_steps - steps_left;
+    result.steps = mesh::MAX_POLYGON_STEPS - steps_left;
     return result;
 }
 
@@ -41,11 +41,12 @@ void expect_cut_along_inner_edges(const Outline& outline, const std::vector<Corn
     const int n = int(outline.size());
     ASSERT_EQ(int(triangles.size()), n - 2);
     std::map<std::pair<int, int>, int> edges;
-    for (const CornerTriangle& t : triangles)
+    for (const CornerTriangle& t : triangles) {
         for (int i = 0; i < 3; ++i) {
             ASSERT_TRUE(t[i] >= 0 && t[i] < n);
             ++edges[{t[i], t[(i + 1) % 3]}];
         }
+    }
     for (const auto& [edge, count] : edges) {
         EXPECT_EQ(count, 1);
         const bool on_outline = edge.second == (edge.first + 1) % n;
@@ -60,8 +61,9 @@ void expect_covered_once(const Outline& outline, const std::vector<CornerTriangl
                          double tolerance = 0)
 {
     glm::dvec3 normal(0);
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
         normal += twice_area(outline[0], outline[i], outline[i + 1]);
+    }
     const double size = glm::length(normal);
     double sum = 0;
     for (const CornerTriangle& t : triangles) {
@@ -82,8 +84,9 @@ void expect_well_cut(const Outline& outline)
 Outline flat(const std::vector<glm::vec2>& points)
 {
     Outline outline;
-    for (const glm::vec2& p : points)
+    for (const glm::vec2& p : points) {
         outline.emplace_back(p.x, p.y, 0);
+    }
     return outline;
 }
 
@@ -103,16 +106,19 @@ bool edges_cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d)
 std::vector<glm::vec2> random_simple_polygon(std::mt19937& random, int n)
 {
     std::vector<glm::vec2> p;
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i) {
         p.emplace_back(float(random() % 100'003) / 97, float(random() % 100'003) / 97);
+    }
     for (bool crossed = true; crossed;) {
         crossed = false;
-        for (int i = 0; i < n; ++i)
-            for (int j = i + 1; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            for (int j = i + 1; j < n; ++j) {
                 if (edges_cross(p[i], p[i + 1], p[j], p[(j + 1) % n])) {
                     std::reverse(p.begin() + i + 1, p.begin() + j + 1);
                     crossed = true;
                 }
+            }
+        }
     }
     return p;
 }
@@ -131,18 +137,22 @@ std::vector<glm::vec2> random_outline_of_cells(std::mt19937& random, int side)
         // A cell with one filled neighbour and no filled corner beside it can enclose nothing and touch
         // nothing.
         int around = 0;
-        for (int dx = -1; dx <= 1; ++dx)
-            for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            for (int dy = -1; dy <= 1; ++dy) {
                 around += filled[x + dx][y + dy] ? 1 : 0;
-        if (!filled[x][y] && neighbours(x, y) == 1 && around <= 2)
+            }
+        }
+        if (!filled[x][y] && neighbours(x, y) == 1 && around <= 2) {
             filled[x][y] = true;
+        }
     }
     // Walk round with the filled cells on the left, starting at the lowest edge of the first column that has
     // one.
     int x = 0;
     int y = 0;
-    while (!filled[x][y])
+    while (!filled[x][y]) {
         y == side ? (++x, y = 0) : ++y;
+    }
     std::vector<glm::vec2> outline;
     const glm::ivec2 start(x, y);
     glm::ivec2 at = start;
@@ -158,10 +168,11 @@ std::vector<glm::vec2> random_outline_of_cells(std::mt19937& random, int side)
         outline.emplace_back(at);
         at += step;
         const glm::ivec2 left(-step.y, step.x);
-        if (cell_left_of(at, -left))
+        if (cell_left_of(at, -left)) {
             step = -left;
-        else if (!cell_left_of(at, step))
+        } else if (!cell_left_of(at, step)) {
             step = left;
+        }
     } while (at != start);
     return outline;
 }
@@ -180,29 +191,34 @@ TEST(TriangulatePolygon, CutsConvexPolygonsAsAFanFromTheFirstCorner)
 TEST(TriangulatePolygon, CutsEveryConcaveQuadThroughItsReflexCorner)
 {
     const std::vector<glm::vec2> dart = {{0, 0}, {4, -2}, {1, 0}, {4, 2}};
-    for (int turned = 0; turned < 4; ++turned)
+    for (int turned = 0; turned < 4; ++turned) {
         for (const bool clockwise : {false, true}) {
             std::vector<glm::vec2> p = dart;
             std::rotate(p.begin(), p.begin() + turned, p.end());
-            if (clockwise)
+            if (clockwise) {
                 std::reverse(p.begin(), p.end());
+            }
             expect_well_cut(flat(p));
         }
+    }
 }
 
 TEST(TriangulatePolygon, CutsInEveryCoordinatePlaneAndAcrossThem)
 {
     const std::vector<glm::vec2> l = {{2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}};
     for (const glm::vec3 u :
-         {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(1, 2, -1)})
+         {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(1, 2, -1)}) {
         for (const glm::vec3 v :
-             {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(-1, 0, 0), glm::vec3(3, -1, 1)})
+             {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(-1, 0, 0), glm::vec3(3, -1, 1)}) {
             if (glm::length(glm::cross(u, v)) > 0) {
                 Outline outline;
-                for (const glm::vec2& p : l)
+                for (const glm::vec2& p : l) {
                     outline.push_back(glm::vec3(5, 6, 7) + u * p.x + v * p.y);
+                }
                 expect_well_cut(outline);
             }
+        }
+    }
 }
 
 TEST(TriangulatePolygon, CutsCornersOnOneLine)
@@ -229,8 +245,9 @@ TEST(TriangulatePolygon, CutsAPolygonWithABridgeToItsHole)
 TEST(TriangulatePolygon, CutsRandomPolygonsThatDoNotCrossThemselves)
 {
     std::mt19937 random(1);
-    for (int i = 0; i < 400; ++i)
+    for (int i = 0; i < 400; ++i) {
         expect_well_cut(flat(random_simple_polygon(random, 4 + i % 60)));
+    }
 }
 
 TEST(TriangulatePolygon, CutsRandomOutlinesOfCells)
@@ -255,8 +272,9 @@ TEST(TriangulatePolygon, CutsAnyPolygonWithoutAreaSomehow)
         Outline(5, glm::vec3(3e38F, -3e38F, 3e38F)),                    // far out
         {{3e38F, 0, 0}, {0, 3e38F, 0}, {-3e38F, 0, 0}, {0, 1e-40F, 0}, {0, -1e38F, 0}} // of every size
     };
-    for (const Outline& outline : outlines)
+    for (const Outline& outline : outlines) {
         expect_cut_along_inner_edges(outline, cut(outline).triangles);
+    }
 }
 
 TEST(TriangulatePolygon, CutsAnyPolygonThatCrossesItselfSomehow)
@@ -266,83 +284,85 @@ TEST(TriangulatePolygon, CutsAnyPolygonThatCrossesItselfSomehow)
         Outline outline;
         const int n = 4 + int(random() % 40);
         const unsigned grid = 2 + random() % 9; // a coarse one makes many corners coincide
-        for (int j = 0; j < n; ++j)
+        for (int j = 0; j < n; ++j) {
             outline.emplace_back(float(random() % grid), float(random() % grid), float(random() % grid));
+        }
         expect_cut_along_inner_edges(outline, cut(outline).triangles);
     }
 }
 
 // Large polygons: the work must not grow with the square of the number of corners.
 
-constexpr int many = 20'000;
+constexpr int MANY_CORNERS = 20'000;
 constexpr long long steps_a_corner =
     150; // some searches of 13 levels; a corner compared with all others takes 20,000
 
 TEST(TriangulatePolygon, CutsALargeRegularPolygonInGoodTime)
 {
     Outline outline;
-    for (int i = 0; i < many; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / many;
+    for (int i = 0; i < MANY_CORNERS; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / MANY_CORNERS;
         outline.emplace_back(std::cos(angle), 0.5, std::sin(angle)); // rounded, it is not quite convex
     }
     const Cut result = cut(outline);
     expect_cut_along_inner_edges(outline, result.triangles);
     expect_covered_once(outline, result.triangles, 1e-10);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, CutsALargeStarInGoodTime)
 {
     Outline outline;
-    for (int i = 0; i < many; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / many;
+    for (int i = 0; i < MANY_CORNERS; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / MANY_CORNERS;
         const double radius = i % 2 == 0 ? 1000 : 10;
         outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
     }
     const Cut result = cut(outline);
     expect_cut_along_inner_edges(outline, result.triangles);
     expect_covered_once(outline, result.triangles);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, CutsALargeCombInGoodTime)
 {
     std::vector<glm::vec2> p;
-    for (int i = 0; i < many / 2; ++i) {
+    for (int i = 0; i < MANY_CORNERS / 2; ++i) {
         p.emplace_back(float(i), 0);
-        p.emplace_back(float(i) + 0.5F, 5000);
+        p.emplace_back(float(i) + 0.5f, 5000);
     }
-    p.emplace_back(float(many), -1);
+    p.emplace_back(float(MANY_CORNERS), -1);
     const Cut result = cut(flat(p));
     expect_covered_once(flat(p), result.triangles);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, CutsALargeSpiralInGoodTime)
 {
     std::vector<glm::vec2> p;
-    for (int i = 0; i < many; ++i) // out along one side of the band, back along the other
+    for (int i = 0; i < MANY_CORNERS; ++i) // out along one side of the band, back along the other
     {
-        const int along = i < many / 2 ? i : many - 1 - i;
+        const int along = i < MANY_CORNERS / 2 ? i : MANY_CORNERS - 1 - i;
         const double angle = along * 0.02;
-        const double radius = 10 + angle + (i < many / 2 ? 0 : 2);
+        const double radius = 10 + angle + (i < MANY_CORNERS / 2 ? 0 : 2);
         p.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     const Cut result = cut(flat(p));
     expect_covered_once(flat(p), result.triangles);
-    EXPECT_LT(result.steps, steps_a_corner * many);
+    EXPECT_LT(result.steps, steps_a_corner * MANY_CORNERS);
 }
 
 TEST(TriangulatePolygon, GivesUpOnALargeTangleBeforeItTakesLong)
 {
     std::mt19937 random(4);
     Outline outline;
-    for (int i = 0; i < 200'000; ++i)
+    for (int i = 0; i < 200'000; ++i) {
         outline.emplace_back(float(random() % 1000), float(random() % 1000), 0);
+    }
     std::vector<CornerTriangle> triangles;
-    long long steps_left = mesh::max_polygon_steps;
+    long long steps_left = mesh::MAX_POLYGON_STEPS;
     EXPECT_FALSE(mesh::triangulate_polygon(outline, triangles, steps_left));
-    EXPECT_LT(-steps_left, mesh::max_polygon_steps / 100); // it stops soon after it has used them up
+    EXPECT_LT(-steps_left, mesh::MAX_POLYGON_STEPS / 100); // it stops soon after it has used them up
 }
 
 } // namespace

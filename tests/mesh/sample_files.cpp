@@ -21,8 +21,9 @@ void append_to_bytes(void* context, void* data, int size)
 
 void append_big_endian(Bytes& bytes, std::uint32_t value)
 {
-    for (int shift = 24; shift >= 0; shift -= 8)
+    for (int shift = 24; shift >= 0; shift -= 8) {
         bytes.push_back(std::uint8_t(value >> shift));
+    }
 }
 
 void append_little_endian_16(Bytes& bytes, int value)
@@ -36,8 +37,9 @@ std::uint32_t crc32(const Bytes& bytes)
     std::uint32_t crc = 0xFFFFFFFF;
     for (const std::uint8_t byte : bytes) {
         crc ^= byte;
-        for (int bit = 0; bit < 8; ++bit)
+        for (int bit = 0; bit < 8; ++bit) {
             crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320 : 0);
+        }
     }
     return ~crc;
 }
@@ -82,18 +84,22 @@ std::string written_obj(const mesh::ObjMesh& m)
 {
     std::ostringstream text;
     text.precision(9); // enough to give every float back
-    for (const glm::vec3& p : m.positions)
+    for (const glm::vec3& p : m.positions) {
         text << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
-    for (const glm::vec2& t : m.texture_coordinates)
+    }
+    for (const glm::vec2& t : m.texture_coordinates) {
         text << "vt " << t.x << ' ' << t.y << '\n';
-    for (const glm::vec3& n : m.normals)
+    }
+    for (const glm::vec3& n : m.normals) {
         text << "vn " << n.x << ' ' << n.y << ' ' << n.z << '\n';
+    }
     for (const mesh::Face& face : m.faces) {
         text << 'f';
         for (const mesh::FaceVertex& v : face.vertices) {
             text << ' ' << v.position + 1 << '/';
-            if (v.texture_coordinate >= 0)
+            if (v.texture_coordinate >= 0) {
                 text << v.texture_coordinate + 1;
+            }
             text << '/' << v.normal + 1;
         }
         text << '\n';
@@ -104,10 +110,13 @@ std::string written_obj(const mesh::ObjMesh& m)
 Picture sample_picture(int width, int height, int channels)
 {
     Picture picture{width, height, channels, {}};
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int channel = 0; channel < channels; ++channel)
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            for (int channel = 0; channel < channels; ++channel) {
                 picture.pixels.push_back(std::uint8_t(x * 7 + y * 31 + channel * 83));
+            }
+        }
+    }
     return picture;
 }
 
@@ -128,10 +137,12 @@ Bytes jpeg_file(const Picture& p, int quality)
 Bytes baseline_jpeg()
 {
     Picture picture{16, 8, 3, {}};
-    for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 16; ++x) {
             picture.pixels.insert(picture.pixels.end(),
                                   {std::uint8_t(x * 16), std::uint8_t(y * 30), std::uint8_t(200 - x * 8)});
+        }
+    }
     return jpeg_file(picture, 30);
 }
 
@@ -180,9 +191,11 @@ Bytes tga_file(const Picture& p, bool run_length_encoded, bool from_the_bottom)
     bytes.push_back(std::uint8_t(p.channels * 8));
     bytes.push_back(std::uint8_t((from_the_bottom ? 0 : 0x20) | (p.channels == 4 ? 8 : 0)));
     const auto append_pixel = [&](std::size_t at) {
-        for (const std::size_t channel : {2, 1, 0, 3})
-            if (channel < std::size_t(p.channels))
+        for (const std::size_t channel : {2, 1, 0, 3}) {
+            if (channel < std::size_t(p.channels)) {
                 bytes.push_back(p.pixels[at + channel]);
+            }
+        }
     };
     const std::size_t row_bytes = std::size_t(p.width) * std::size_t(p.channels);
     for (int row = 0; row < p.height; ++row) {
@@ -196,8 +209,9 @@ Bytes tga_file(const Picture& p, bool run_length_encoded, bool from_the_bottom)
                                   p.pixels.begin() + long(next));
             };
             if (run_length_encoded) {
-                while (pixels < 128 && next_is_the_same())
+                while (pixels < 128 && next_is_the_same()) {
                     ++pixels;
+                }
                 bytes.push_back(std::uint8_t(pixels > 1 ? 0x80 | (pixels - 1) : 0));
             }
             append_pixel(at);
@@ -231,8 +245,9 @@ Bytes raw_png(int width, int height, int depth, int colour_type, const std::vect
         filtered.insert(filtered.end(), row.begin(), row.end());
     }
     Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    for (const Bytes& part :
-         {png_chunk("IHDR", header), extra, png_chunk("IDAT", stored_zlib(filtered)), png_chunk("IEND", {})})
+    for (const Bytes& part : {png_chunk("IHDR", header), extra, png_chunk("IDAT", stored_zlib(filtered)),
+                              png_chunk("IEND", {})}) {
         file.insert(file.end(), part.begin(), part.end());
+    }
     return file;
 }

@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <sstream>
-#include <tiny_obj_loader.h> // LoadObj itself is in the mesh library, beside the parsers that are taken from it
 
-// read_obj walks over the text itself and has tinyobjloader convert the words. Here the whole of
-// tinyobjloader reads the same texts: those that both accept must give the same.
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
+
+// tinyobjloader reads the same texts as read_obj: those that both accept must give the same.
 
 namespace {
 
@@ -27,17 +28,20 @@ void expect_same_as_tinyobjloader(const std::string& text)
         << errors;
 
     ASSERT_EQ(theirs.vertices.size(), 3 * m.positions.size());
-    for (std::size_t i = 0; i < theirs.vertices.size(); ++i)
+    for (std::size_t i = 0; i < theirs.vertices.size(); ++i) {
         ASSERT_EQ(theirs.vertices[i], m.positions[i / 3][int(i % 3)]);
+    }
     ASSERT_EQ(theirs.texcoords.size(), 2 * m.texture_coordinates.size());
-    for (std::size_t i = 0; i < theirs.texcoords.size(); ++i)
+    for (std::size_t i = 0; i < theirs.texcoords.size(); ++i) {
         ASSERT_EQ(theirs.texcoords[i], m.texture_coordinates[i / 2][int(i % 2)]);
+    }
     ASSERT_LE(theirs.normals.size(), 3 * m.normals.size()); // computed ones follow
-    for (std::size_t i = 0; i < theirs.normals.size(); ++i)
+    for (std::size_t i = 0; i < theirs.normals.size(); ++i) {
         ASSERT_EQ(theirs.normals[i], m.normals[i / 3][int(i % 3)]);
+    }
 
     std::size_t corner = 0;
-    for (const tinyobj::shape_t& shape : shapes)
+    for (const tinyobj::shape_t& shape : shapes) {
         for (const tinyobj::index_t& index : shape.mesh.indices) {
             ASSERT_LT(corner / 3, m.faces.size());
             const mesh::FaceVertex& v = m.faces[corner / 3].vertices[corner % 3];
@@ -48,6 +52,7 @@ void expect_same_as_tinyobjloader(const std::string& text)
             }
             ++corner;
         }
+    }
     ASSERT_EQ(corner, 3 * m.faces.size());
 }
 
@@ -60,10 +65,12 @@ std::string random_triangles(unsigned seed)
     const auto number = [&]() -> std::ostream& {
         text << ' ' << (random() % 2 == 0 ? "-" : "");
         text << random() % 1000;
-        if (random() % 2 == 0)
+        if (random() % 2 == 0) {
             text << '.' << random();
-        if (random() % 4 == 0)
+        }
+        if (random() % 4 == 0) {
             text << (random() % 2 == 0 ? "e-" : "E+") << random() % 12;
+        }
         return text;
     };
     int positions = 0;
@@ -75,24 +82,29 @@ std::string random_triangles(unsigned seed)
     for (int round = 0; round < 3; ++round) {
         for (unsigned i = 3 + random() % 5; i > 0; --i, ++positions) {
             text << 'v', number(), number(), number();
-            if (random() % 3 == 0)
+            if (random() % 3 == 0) {
                 number(), number(), number();
+            }
             text << (random() % 2 == 0 ? "\n" : "\r\n");
         }
-        for (unsigned i = 1 + random() % 3; i > 0; --i, ++normals)
+        for (unsigned i = 1 + random() % 3; i > 0; --i, ++normals) {
             text << "vn", number(), number(), number() << '\n';
-        for (unsigned i = 1 + random() % 3; i > 0; --i, ++texture_coordinates)
+        }
+        for (unsigned i = 1 + random() % 3; i > 0; --i, ++texture_coordinates) {
             text << "  vt", number(), number(), number() << '\n';
+        }
         text << "g part " << round << "\ns " << round << "\nusemtl none\n";
         for (unsigned i = 1 + random() % 6; i > 0; --i) {
             const unsigned form = random() % 4;
             text << "f";
             for (int c = 0; c < 3; ++c) {
                 text << (random() % 3 == 0 ? "\t" : " ") << index(positions);
-                if (form == 1 || form == 3)
+                if (form == 1 || form == 3) {
                     text << '/' << index(texture_coordinates);
-                if (form >= 2)
+                }
+                if (form >= 2) {
                     text << (form == 2 ? "//" : "/") << index(normals);
+                }
             }
             text << '\n';
         }

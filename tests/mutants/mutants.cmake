@@ -54,7 +54,7 @@ macro(tanklab_for_each_mutant)
     [=[        if (i != 3) {
             draw(objs[i]);
         }]=])
-  tanklab_mutant(1.3b scene/scene_renderer.cpp "The lists are compiled anew for every frame."
+  tanklab_mutant(1.3b scene/scene_renderer.cpp "The lists are compiled again for every frame."
     [=[    use_tank_material();]=]
     [=[    use_tank_material();
     const_cast<TankLists&>(tank_lists_).load_tank_objs(assets_->high);]=])

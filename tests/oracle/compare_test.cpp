@@ -25,9 +25,11 @@ std::string read(const std::string& path)
 
 bool shows_something(const std::string& rgba)
 {
-    for (std::size_t i = 4; i < rgba.size(); ++i)
-        if (rgba[i] != rgba[i % 4])
+    for (std::size_t i = 4; i < rgba.size(); ++i) {
+        if (rgba[i] != rgba[i % 4]) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -37,12 +39,14 @@ bool same_but_for(int tolerance, const std::string& a, const std::string& b)
     std::istringstream words(a), other_words(b);
     std::string word, other;
     while (words >> word) {
-        if (!(other_words >> other))
+        if (!(other_words >> other)) {
             return false;
+        }
         char* end = nullptr;
         const long difference = std::strtol(word.c_str(), &end, 10) - std::strtol(other.c_str(), nullptr, 10);
-        if (word != other && (*end != '\0' || std::labs(difference) > tolerance))
+        if (word != other && (*end != '\0' || std::labs(difference) > tolerance)) {
             return false;
+        }
     }
     return !(other_words >> other);
 }
@@ -63,9 +67,10 @@ public:
         const oracle::PictureDifference difference = oracle::difference(emulated, reference);
         RecordProperty("pixels_off", difference.pixels);
         RecordProperty("greatest", difference.greatest);
-        if (difference.pixels != 0)
+        if (difference.pixels != 0) {
             std::printf("%s: %d pixels differ, %d by more than 2, by %d at most\n", scene_.name.c_str(),
                         difference.pixels, difference.visible, difference.greatest);
+        }
         static const int version = oracle::mesa_version(read(ORACLE_REFERENCE "/version"));
         const bool excepted = (scene_.exception.pixels != 0 || scene_.exception.told != 0) &&
                               scene_.exception.versions.contain(version);
@@ -97,8 +102,9 @@ unsigned oracle::next_error()
 int main(int argc, char** argv)
 {
     testing::InitGoogleTest(&argc, argv);
-    for (const oracle::Scene& scene : oracle::scenes())
+    for (const oracle::Scene& scene : oracle::scenes()) {
         testing::RegisterTest("Oracle", scene.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
                               [&scene]() -> testing::Test* { return new SceneTest(scene); });
+    }
     return RUN_ALL_TESTS();
 }

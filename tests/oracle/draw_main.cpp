@@ -23,8 +23,9 @@ void write(const std::string& path, const void* data, std::size_t size)
 
 bool chosen(const std::string& choice, const std::string& scene)
 {
-    if (!choice.starts_with('+'))
+    if (!choice.starts_with('+')) {
         return choice.empty() || choice == scene;
+    }
     const std::string drawn = choice.substr(1) + "/" + scene;
     return std::filesystem::exists(drawn + ".rgba") && !std::filesystem::exists(drawn + ".erred");
 }
@@ -42,8 +43,9 @@ int main(int argc, char** argv)
     std::string renderer = "nothing", version;
     int count = 0;
     for (const oracle::Scene& scene : oracle::scenes()) {
-        if (!chosen(choice, scene.name))
+        if (!chosen(choice, scene.name)) {
             continue;
+        }
         std::string error;
         const auto target = platform::open_offscreen_target(scene.size.width, scene.size.height, error);
         if (!target) {

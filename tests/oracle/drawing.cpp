@@ -31,8 +31,9 @@ Drawn draw(const Scene& scene)
     erred = false;
     glViewport(0, 0, scene.size.width, scene.size.height);
     scene.draw();
-    for (unsigned code; (code = next_error()) != GL_NO_ERROR;)
+    for (unsigned code; (code = next_error()) != GL_NO_ERROR;) {
         tell("left error " + std::to_string(code));
+    }
     Drawn drawn;
     drawn.rgba.resize(static_cast<std::size_t>(scene.size.width) * scene.size.height * 4);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -46,8 +46,9 @@ EMSCRIPTEN_KEEPALIVE const char* oracle_draw(int index)
     const oracle::Scene& scene = oracle::scenes()[index];
     LegacyGLContext* context =
         legacygl_create(nullptr, scene.size.width, scene.size.height, LEGACYGL_TARGET_OWN);
-    if (context == nullptr)
+    if (context == nullptr) {
         return legacygl_last_message();
+    }
     drawn = oracle::draw(scene);
     legacygl_destroy(context);
     return "";

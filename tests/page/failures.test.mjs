@@ -16,7 +16,12 @@ const answering = (file, answer) => async (page) => {
 async function failure(options) {
   return withPage("chromium", options, async ({ page }) => {
     await page.waitForSelector("#failure:not([hidden])");
-    const rejected = await page.evaluate(() => tanklab.ready.then(() => "", (error) => error.message));
+    const rejected = await page.evaluate(() =>
+      tanklab.ready.then(
+        () => "",
+        (error) => error.message,
+      ),
+    );
     const said = await page.evaluate(() => document.getElementById("failure").innerText);
     assert.ok(rejected && said.includes(rejected), `tanklab.ready says it, too: ${rejected}`);
     return said;
@@ -36,7 +41,9 @@ test("a malformed model is named with its line", async () => {
 });
 
 test("a damaged picture is named", async () => {
-  const said = await failure({ before: answering("texture.jpg", { status: 200, body: "no picture", contentType: "image/jpeg" }) });
+  const said = await failure({
+    before: answering("texture.jpg", { status: 200, body: "no picture", contentType: "image/jpeg" }),
+  });
   assert.match(said, /texture\.jpg/);
 });
 
@@ -44,9 +51,11 @@ test("a browser without WebGL 2 is told so", async () => {
   const before = (page) =>
     page.evaluateOnNewDocument(() => {
       const real = HTMLCanvasElement.prototype.getContext;
-      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-        return kind === "webgl2" ? null : real.call(this, kind, ...rest);
-      };
+      HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
+        function (kind, ...rest) {
+          return kind === "webgl2" ? null : real.call(this, kind, ...rest);
+        }
+      );
     });
   assert.match(await failure({ before }), /WebGL 2/);
 });
@@ -55,8 +64,9 @@ test("after a lost context the picture comes back by itself", async () => {
   await withTank("chromium", { path: `${BARE}#turret=40` }, async ({ page }) => {
     const before = await pixels(page, "#canvas");
     await page.evaluate(async () => {
-      const extension = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
-      const event = (name) => new Promise((done) => document.getElementById("canvas").addEventListener(name, done, { once: true }));
+      const extension = document.querySelector("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
+      const event = (name) =>
+        new Promise((done) => document.querySelector("canvas").addEventListener(name, done, { once: true }));
       const lost = event("webglcontextlost");
       extension.loseContext();
       await lost;

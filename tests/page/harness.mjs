@@ -11,132 +11,22 @@
 //       });
 //     });
 //   }
-//
-// The environment variables CHROME and FIREFOX name other browsers; TANKLAB_SITE another site than build/web.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import os from "node:os";
 import path from "node:path";
-import { spawn, spawnSync } from "node:child_process";
-import { once } from "node:events";
 import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { PNG } from "pngjs";
-import puppeteer from "puppeteer-core";
 import { serve } from "../../scripts/serve.mjs";
+import { launch, SITE, VIEWPORT } from "./browsers.mjs";
 
-/** The browsers that tests run in, and what draws there:
-    chromium          SwiftShader, Chromium's own software renderer
-    chromium-mesa     Mesa's llvmpipe, which native tests draw with too
-    firefox           Mesa's llvmpipe, in a window on a display of its own */
-export const BROWSERS = ["chromium", "chromium-mesa", "firefox"];
-
-export const SITE = process.env.TANKLAB_SITE ?? fileURLToPath(new URL("../../build/web", import.meta.url));
-
-const VIEWPORT = { width: 800, height: 600, deviceScaleFactor: 1 };
-const LAUNCH_TIMEOUT = 60_000; // on two busy cores Firefox has taken 20 s
-
-const CHROMIUM_FLAGS = [
-  "--no-sandbox",
-  "--disable-dev-shm-usage",
-  "--ignore-gpu-blocklist",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-  "--force-color-profile=srgb",
-  "--hide-scrollbars",
-];
-const CHROMIUM_RENDERER = {
-  chromium: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  "chromium-mesa": ["--use-angle=gl-egl"],
-};
-const FIREFOX_PREFERENCES = {
-  "webgl.force-enabled": true,
-  "app.update.enabled": false,
-  "browser.shell.checkDefaultBrowser": false,
-  "datareporting.policy.dataSubmissionEnabled": false,
-  "gfx.color_management.mode": 0,
-  "network.captive-portal-service.enabled": false,
-  "network.connectivity-service.enabled": false,
-};
-
-function executable(fromEnvironment, names) {
-  for (const name of [fromEnvironment, ...names].filter(Boolean)) {
-    const found = spawnSync("sh", ["-c", 'command -v "$1"', "sh", name], { encoding: "utf8" }).stdout.trim();
-    if (found) return found;
-  }
-  throw new Error(`none of these browsers is there: ${names.join(", ")}; scripts/setup test installs one`);
-}
-
-/** The oldest versions that puppeteer-core drives: Chromium's headless mode of today, WebDriver BiDi in Firefox. */
-const OLDEST = { chromium: 112, firefox: 129 };
-
-/** Says which browser cannot be driven, and why, where `program --version` tells of one that is too old. Gives what
-    it tells. */
-export function checkVersion(kind, program) {
-  const told = spawnSync(program, ["--version"], { encoding: "utf8" }).stdout?.trim() ?? "";
-  const major = Number(/(\d+)\.\d/.exec(told)?.[1]);
-  if (major < OLDEST[kind])
-    throw new Error(`${told} (${program}) is too old: the tests drive ${kind} ${OLDEST[kind]} and newer; name one in CHROME or FIREFOX`);
-  return told;
-}
-
-/** Launches a browser, and where it does not start says which one it was. */
-async function start(kind, program, options) {
-  const told = checkVersion(kind, program);
-  try {
-    return await puppeteer.launch({ executablePath: program, defaultViewport: VIEWPORT, timeout: LAUNCH_TIMEOUT, ...options });
-  } catch (error) {
-    throw new Error(`${told} (${program}) does not start for puppeteer-core; one that is newer may want a newer puppeteer-core: ${error.message}`, { cause: error });
-  }
-}
-
-/** Starts an X display that nobody sees. Gives { name, stop() }. */
-async function startDisplay() {
-  const server = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"], {
-    stdio: ["ignore", "ignore", "ignore", "pipe"],
-  });
-  const [number] = await Promise.race([
-    once(server.stdio[3], "data"),
-    once(server, "exit").then(() => Promise.reject(new Error("Xvfb, the display for Firefox, does not start"))),
-  ]);
-  return { name: `:${String(number).trim()}`, stop: () => server.kill() };
-}
-
-/** Launches one of BROWSERS, with more Chromium flags if wanted. Gives puppeteer's browser; close it. */
-export async function launch(name, { flags = [] } = {}) {
-  if (name !== "firefox") {
-    assert.ok(name in CHROMIUM_RENDERER, `no browser is called ${name}`);
-    const program = executable(process.env.CHROME, ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]);
-    return start("chromium", program, { headless: true, args: [...CHROMIUM_FLAGS, ...CHROMIUM_RENDERER[name], ...flags] });
-  }
-  const display = await startDisplay();
-  // Firefox wants a home of its own: as root it refuses one that belongs to somebody else.
-  const home = fs.mkdtempSync(path.join(os.tmpdir(), "tanklab-firefox-"));
-  const cleanUp = () => {
-    display.stop();
-    fs.rmSync(home, { recursive: true, force: true, maxRetries: 5 });
-  };
-  try {
-    const browser = await start("firefox", executable(process.env.FIREFOX, ["firefox", "firefox-esr"]), {
-      browser: "firefox",
-      headless: false,
-      extraPrefsFirefox: FIREFOX_PREFERENCES,
-      env: { ...process.env, DISPLAY: display.name, HOME: home, MOZ_CRASHREPORTER_DISABLE: "1" },
-    });
-    browser.process().once("exit", cleanUp);
-    return browser;
-  } catch (error) {
-    cleanUp();
-    throw error;
-  }
-}
+export { BROWSERS, checkVersion, SITE } from "./browsers.mjs";
 
 const running = new Map(); // what launch() gives, by the browser's name; a test file has each once
 after(async () => {
-  for (const browser of running.values()) await (await browser).close();
+  for (const browser of running.values()) {
+    await (await browser).close();
+  }
 });
 
 /** Opens a session with nothing remembered from another one. Gives {browser, context, close()}. */
@@ -145,7 +35,9 @@ async function openSession(name, flags) {
     const browser = await launch(name, { flags });
     return { browser, context: browser.defaultBrowserContext(), close: () => browser.close() };
   }
-  if (!running.has(name)) running.set(name, launch(name));
+  if (!running.has(name)) {
+    running.set(name, launch(name));
+  }
   const browser = await running.get(name);
   const context = await browser.createBrowserContext();
   return { browser, context, close: () => context.close() };
@@ -157,26 +49,37 @@ async function openSession(name, flags) {
     before: called with the page before it loads anything, to listen or to break something.
     flags: for a browser of its own, besides those of launch().
     The function gets { page, browser, context, url, problems }; problems gathers, as text, what the page's console calls
-    an error, exceptions nobody caught, and requests that failed. */
+    an error, exceptions nobody caught, and requests that failed.
+    @param {string} name
+    @param {{path?: string, url?: string, folder?: string, viewport?: object, before?: Function, flags?: string[]}} options
+    @param {Function} use */
 export async function withPage(name, { path: rest = "", url, folder = SITE, viewport, before, flags } = {}, use) {
   const server = url ? null : await serve(folder);
   const { browser, context, close } = await openSession(name, flags);
   try {
     const page = await context.newPage();
-    if (viewport) await page.setViewport({ ...VIEWPORT, ...viewport });
+    if (viewport) {
+      await page.setViewport({ ...VIEWPORT, ...viewport });
+    }
     const problems = [];
     page.on("console", (message) => {
       const where = message.location()?.url;
-      if (message.type() === "error") problems.push(`console: ${message.text()}${where ? ` (${where})` : ""}`);
+      if (message.type() === "error") {
+        problems.push(`console: ${message.text()}${where ? ` (${where})` : ""}`);
+      }
     });
     page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
     page.on("requestfailed", (request) => {
       // Chromium calls a fetch aborted whose stream was read to its end before the connection said so.
       const reason = request.failure()?.errorText;
-      if (!/ABORTED/.test(reason)) problems.push(`request: ${request.url()} ${reason}`);
+      if (!/ABORTED/.test(reason)) {
+        problems.push(`request: ${request.url()} ${reason}`);
+      }
     });
     const address = url ?? server.url + rest;
-    if (before) await before(page, address);
+    if (before) {
+      await before(page, address);
+    }
     await page.goto(address);
     return await use({ page, browser, context, url: address, problems });
   } finally {
@@ -211,7 +114,9 @@ export function differentPixels(one, other, tolerance = 0) {
   let count = 0;
   for (let i = 0; i < one.data.length; i += 4) {
     const off = [0, 1, 2].some((channel) => Math.abs(one.data[i + channel] - other.data[i + channel]) > tolerance);
-    if (off) ++count;
+    if (off) {
+      ++count;
+    }
   }
   return count;
 }
@@ -225,7 +130,9 @@ export function pixelAt(picture, x, y) {
 export async function printRenderer(page, name) {
   const renderer = await page.evaluate(() => {
     const gl = document.createElement("canvas").getContext("webgl2");
-    if (!gl) return "no WebGL 2";
+    if (!gl) {
+      return "no WebGL 2";
+    }
     const extension = gl.getExtension("WEBGL_debug_renderer_info");
     const text = gl.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
     gl.getExtension("WEBGL_lose_context")?.loseContext();

@@ -26,7 +26,10 @@ let folder;
 before(() => {
   folder = fs.mkdtempSync(path.join(os.tmpdir(), "tanklab-harness-"));
   fs.writeFileSync(path.join(folder, "index.html"), PAGE);
-  fs.writeFileSync(path.join(folder, "broken.html"), "<script>console.error('oh'); throw new Error('no')</script><img src=none.png>");
+  fs.writeFileSync(
+    path.join(folder, "broken.html"),
+    "<script>console.error('oh'); throw new Error('no')</script><img src=none.png>",
+  );
 });
 after(() => fs.rmSync(folder, { recursive: true }));
 
@@ -46,23 +49,43 @@ for (const browser of BROWSERS) {
 
 test("a browser that is too old is named, with the version that is wanted; others are let through", () => {
   const program = path.join(folder, "firefox");
-  for (const [told, tooOld] of [["Mozilla Firefox 115.9.1esr", true], ["Mozilla Firefox 153.5.1esr", false], ["of no version", false]]) {
+  for (const [told, tooOld] of [
+    ["Mozilla Firefox 115.9.1esr", true],
+    ["Mozilla Firefox 153.5.1esr", false],
+    ["of no version", false],
+  ]) {
     fs.writeFileSync(program, `#!/bin/sh\necho '${told}'\n`, { mode: 0o755 });
-    if (tooOld) assert.throws(() => checkVersion("firefox", program), /Firefox 115\.9.* is too old: .*firefox 129 and newer/);
-    else assert.equal(checkVersion("firefox", program), told);
+    if (tooOld) {
+      assert.throws(() => checkVersion("firefox", program), /Firefox 115\.9.* is too old: .*firefox 129 and newer/);
+    } else {
+      assert.equal(checkVersion("firefox", program), told);
+    }
   }
 });
 
 test("what goes wrong in a page is gathered", async () => {
   await withPage("chromium", { folder, path: "broken.html" }, async ({ problems }) => {
-    assert.ok(problems.some((text) => text.startsWith("console: oh")), problems.join("\n"));
-    assert.ok(problems.some((text) => text.startsWith("exception: ") && text.includes("no")), problems.join("\n"));
-    assert.ok(problems.some((text) => text.includes("404")), problems.join("\n"));
+    assert.ok(
+      problems.some((text) => text.startsWith("console: oh")),
+      problems.join("\n"),
+    );
+    assert.ok(
+      problems.some((text) => text.startsWith("exception: ") && text.includes("no")),
+      problems.join("\n"),
+    );
+    assert.ok(
+      problems.some((text) => text.includes("404")),
+      problems.join("\n"),
+    );
   });
 });
 
 test("different pixels are counted beyond the tolerance, and sizes must agree", () => {
-  const picture = (...values) => ({ width: values.length, height: 1, data: Uint8Array.from(values.flatMap((v) => [v, 0, 0, 255])) });
+  const picture = (...values) => ({
+    width: values.length,
+    height: 1,
+    data: Uint8Array.from(values.flatMap((v) => [v, 0, 0, 255])),
+  });
   assert.equal(differentPixels(picture(1, 2, 3), picture(1, 2, 3)), 0);
   assert.equal(differentPixels(picture(1, 2, 3), picture(1, 4, 6), 2), 1);
   assert.equal(differentPixels(picture(1, 2, 3), picture(1, 4, 6)), 2);

@@ -4,11 +4,15 @@ import { test } from "node:test";
 import { withTank } from "./tanklab_page.mjs";
 
 /** Returns the titles of the tree's rows that are marked so. */
-const marked = (page, name) => page.$$eval(`.task.current .tree li.${name} > .part`, (parts) => parts.map((part) => part.textContent));
+const marked = (page, name) =>
+  page.$$eval(`.task.current .tree li.${name} > .part`, (parts) => parts.map((part) => part.textContent));
 
 const waitForMarks = (page, name, titles) =>
   page.waitForFunction(
-    (mark, wanted) => [...document.querySelectorAll(`.task.current .tree li.${mark} > .part`)].map((part) => part.textContent).join() === wanted,
+    (mark, wanted) =>
+      [...document.querySelectorAll(`.task.current .tree li.${mark} > .part`)]
+        .map((part) => part.textContent)
+        .join() === wanted,
     {},
     name,
     titles.join(),
@@ -73,7 +77,11 @@ test("a part of the tree shows its axis by keyboard, and hides it again", async 
     for (const axis of ["secondary_gun", "secondary_gun_pitch", "off"]) {
       await page.keyboard.press("Enter");
       await page.waitForFunction((wanted) => tanklab.state().axis === wanted, {}, axis);
-      await page.waitForFunction((pressed) => document.activeElement.getAttribute("aria-pressed") === pressed, {}, String(axis !== "off"));
+      await page.waitForFunction(
+        (pressed) => document.activeElement.getAttribute("aria-pressed") === pressed,
+        {},
+        String(axis !== "off"),
+      );
     }
     await page.keyboard.press("Tab");
     await page.keyboard.press("Space");

@@ -7,7 +7,9 @@ const WINDOW = { width: 1000, height: 320 };
 
 /** Returns the printed lines that the page shows, oldest first. */
 const printed = (page) =>
-  page.$$eval("#hits .log li", (items) => items.reverse().map((item) => [...item.querySelectorAll("p")].map((line) => line.textContent)));
+  page.$$eval("#hits .log li", (items) =>
+    items.reverse().map((item) => [...item.querySelectorAll("p")].map((line) => line.textContent)),
+  );
 
 /** Waits until the page has shown all that the program printed. */
 const allPrinted = (page) =>
@@ -55,11 +57,17 @@ test("a point's hits are printed on load, on every change and by key, never the 
     assert.deepEqual(asked.at(-1).slice(1), moved.at(-1).slice(1), "the same once more, because it was asked for");
 
     const lines = asked.flat();
-    for (let i = 1; i < lines.length; ++i) assert.notEqual(lines[i], lines[i - 1]);
+    for (let i = 1; i < lines.length; ++i) {
+      assert.notEqual(lines[i], lines[i - 1]);
+    }
     const log = await page.evaluate(() => tanklab.hits().log.map(({ text }) => text));
     assert.deepEqual(lines, log, "as the program has it");
     await drawn(page);
-    assert.equal((await page.evaluate(() => tanklab.hits().count)), asked.length, "nothing is printed while nothing changes");
+    assert.equal(
+      await page.evaluate(() => tanklab.hits().count),
+      asked.length,
+      "nothing is printed while nothing changes",
+    );
     assert.deepEqual(problems, []);
   });
 });
@@ -101,11 +109,17 @@ test("by keyboard a line is chosen and moved; its closest points and parameters 
     await page.focus('#hits input[value="point"]');
     await page.keyboard.press("ArrowRight");
     await page.waitForFunction(() => tanklab.state().probe === "segment");
-    await page.waitForFunction(() => /closest point \(.*\) at t = 0\.\d+/.test(document.querySelector("#hits .numbers")?.innerText));
+    await page.waitForFunction(() =>
+      /closest point \(.*\) at t = 0\.\d+/.test(document.querySelector("#hits .numbers")?.innerText),
+    );
     await page.keyboard.press("Escape");
     for (const probe of ["ray", "line", "none", "point", "segment"]) {
       await page.keyboard.press("KeyY");
-      await page.waitForFunction((name) => tanklab.state().probe === name && document.querySelector("#hits input:checked").value === name, {}, probe);
+      await page.waitForFunction(
+        (name) => tanklab.state().probe === name && document.querySelector("#hits input:checked").value === name,
+        {},
+        probe,
+      );
     }
     await page.keyboard.press("KeyM");
     await page.waitForFunction(() => tanklab.state().handle === "line_a");
@@ -145,12 +159,20 @@ test("what is penetrated is read out when it changes, without its numbers and no
   await withTank("chromium", { viewport: WINDOW, path: "#figure=5d" }, async ({ page }) => {
     await page.evaluate(() => {
       window.said = [];
-      new MutationObserver(() => said.push([performance.now(), document.getElementById("hits-said").textContent])).observe(document.getElementById("hits-said"), { childList: true });
+      new MutationObserver(() =>
+        window.said.push([performance.now(), document.getElementById("hits-said").textContent]),
+      ).observe(document.getElementById("hits-said"), { childList: true });
     });
-    assert.equal(await page.$eval("#hits-said", (said) => said.textContent), "", "what the page begins with is read where it stands");
+    assert.equal(
+      await page.$eval("#hits-said", (said) => said.textContent),
+      "",
+      "what the page begins with is read where it stands",
+    );
     await holdKey(page, "KeyO", (now) => !now.hits.report.root.inside, 15000);
-    await page.waitForFunction(() => said.at(-1)?.[1] === "Outside the whole tank.");
-    const times = await page.evaluate(() => said.map(([time]) => time));
-    for (let i = 1; i < times.length; ++i) assert.ok(times[i] - times[i - 1] > 1000, JSON.stringify(times));
+    await page.waitForFunction(() => window.said.at(-1)?.[1] === "Outside the whole tank.");
+    const times = await page.evaluate(() => window.said.map(([time]) => time));
+    for (let i = 1; i < times.length; ++i) {
+      assert.ok(times[i] - times[i - 1] > 1000, JSON.stringify(times));
+    }
   });
 });

@@ -26,12 +26,18 @@ function moduleImporting(...names) {
 }
 
 test("the check finds names of OpenGL, GLU and SDL, and no other", () => {
-  assert.deepEqual(importedNames(moduleImporting("glBegin", "emscripten_glClear", "gluSphere", "SDL_Init", "global", "gl")), ["glBegin", "gluSphere", "SDL_Init"]);
+  assert.deepEqual(
+    importedNames(moduleImporting("glBegin", "emscripten_glClear", "gluSphere", "SDL_Init", "global", "gl")),
+    ["glBegin", "gluSphere", "SDL_Init"],
+  );
 });
 
 test("the program imports no name of OpenGL or SDL, and its import names are whole", () => {
   const bytes = fs.readFileSync(PROGRAM);
   const names = WebAssembly.Module.imports(new WebAssembly.Module(bytes)).map(({ name }) => name);
-  assert.ok(names.includes("emscripten_glDrawArrays") || names.includes("emscripten_glDrawElements"), `shortened? ${names.join(" ")}`);
+  assert.ok(
+    names.includes("emscripten_glDrawArrays") || names.includes("emscripten_glDrawElements"),
+    `shortened? ${names.join(" ")}`,
+  );
   assert.deepEqual(importedNames(bytes), []);
 });

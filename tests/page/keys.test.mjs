@@ -32,15 +32,28 @@ test("every key that is held moves its values, and its opposite moves them back"
           assert.equal((await state())[field], still[field], `${field} stays after ${code}`);
           const sign = Math.sign(moved(fields.get(field), before[field], still[field]));
           const key = `${command.name} ${field}`;
-          if (directions.has(key)) assert.equal(sign, directions.get(key), `${code} as the other keys of ${command.name}`);
+          if (directions.has(key)) {
+            assert.equal(sign, directions.get(key), `${code} as the other keys of ${command.name}`);
+          }
           directions.set(key, sign);
         }
       }
     }
-    for (const [one, other] of [["turret_left", "turret_right"], ["gun_up", "gun_down"], ["secondary_gun_left", "secondary_gun_right"], ["secondary_gun_up", "secondary_gun_down"],
-      ["wheels_forward", "wheels_backward"], ["turn_left", "turn_right"], ["orbit_left", "orbit_right"], ["zoom_in", "zoom_out"]]) {
-      for (const [key, sign] of directions)
-        if (key.startsWith(`${one} `)) assert.equal(directions.get(key.replace(one, other)), -sign, `${one} against ${other}`);
+    for (const [one, other] of [
+      ["turret_left", "turret_right"],
+      ["gun_up", "gun_down"],
+      ["secondary_gun_left", "secondary_gun_right"],
+      ["secondary_gun_up", "secondary_gun_down"],
+      ["wheels_forward", "wheels_backward"],
+      ["turn_left", "turn_right"],
+      ["orbit_left", "orbit_right"],
+      ["zoom_in", "zoom_out"],
+    ]) {
+      for (const [key, sign] of directions) {
+        if (key.startsWith(`${one} `)) {
+          assert.equal(directions.get(key.replace(one, other)), -sign, `${one} against ${other}`);
+        }
+      }
     }
     assert.deepEqual(problems, []);
   });
@@ -67,11 +80,14 @@ test("turning the turret changes the picture where the turret is, and nowhere el
     const after = await pixels(page, "#canvas");
     const changed = (x0, y0, x1, y1) => {
       let count = 0;
-      for (let y = Math.round(y0 * before.height); y < y1 * before.height; ++y)
+      for (let y = Math.round(y0 * before.height); y < y1 * before.height; ++y) {
         for (let x = Math.round(x0 * before.width); x < x1 * before.width; ++x) {
           const i = (y * before.width + x) * 4;
-          if ([0, 1, 2].some((c) => Math.abs(before.data[i + c] - after.data[i + c]) > 8)) ++count;
+          if ([0, 1, 2].some((c) => Math.abs(before.data[i + c] - after.data[i + c]) > 8)) {
+            ++count;
+          }
         }
+      }
       return count;
     };
     assert.ok(changed(0.3, 0.25, 0.75, 0.6) > 2000, "the turret's part of the picture");
@@ -104,7 +120,9 @@ test("a row of the list of keys does what its key does, for as long as it is pre
     await page.mouse.move(x + width / 2, y + height / 2);
     await page.mouse.down();
     await page.waitForFunction(() => tanklab.state().turret > 5);
-    assert.ok(await page.evaluate(() => document.querySelector('[data-command="turret_left"]').classList.contains("held")));
+    assert.ok(
+      await page.evaluate(() => document.querySelector('[data-command="turret_left"]').classList.contains("held")),
+    );
     await page.mouse.up();
     await page.waitForFunction(() => tanklab.state().held.length === 0);
     const turned = (await state()).turret;

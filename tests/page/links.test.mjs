@@ -9,12 +9,13 @@ const LINK = "#turret=30&gun=8&distance=14.5&orbit=-35.25";
 
 test("a link opened twice gives the same state and the same pixels", async () => {
   const seen = [];
-  for (let i = 0; i < 2; ++i)
+  for (let i = 0; i < 2; ++i) {
     await withTank("chromium", { path: BARE + LINK }, async ({ page, state, problems }) => {
       const { tick, revision, hash, ...rest } = await state(); // of time, which goes on
       seen.push({ state: rest, picture: await pixels(page, "#canvas") });
       assert.deepEqual(problems, []);
     });
+  }
   assert.equal(seen[0].state.turret, 30);
   assert.equal(seen[0].state.orbit, -35.25);
   assert.deepEqual(seen[0].state, seen[1].state);
@@ -41,8 +42,12 @@ test("an address that the reader changes is loaded, and what it has wrong is sai
     await page.evaluate(() => (location.hash = "#turret=45&gun=much&colour=red&secondary_gun=500"));
     await page.waitForFunction(() => tanklab.state().turret === 45);
     await page.waitForFunction(() => document.querySelectorAll(".notice").length === 3);
-    const said = await page.evaluate(() => [...document.querySelectorAll(".notice p")].map((n) => n.textContent).join("\n"));
-    for (const named of ["gun", "colour", "secondary_gun"]) assert.ok(said.includes(named), said);
+    const said = await page.evaluate(() =>
+      [...document.querySelectorAll(".notice p")].map((n) => n.textContent).join("\n"),
+    );
+    for (const named of ["gun", "colour", "secondary_gun"]) {
+      assert.ok(said.includes(named), said);
+    }
     const now = await state();
     assert.deepEqual([now.gun, now.secondary_gun], [0, 120]);
     await page.click(".notice button");
@@ -52,7 +57,11 @@ test("an address that the reader changes is loaded, and what it has wrong is sai
 
 test("the Share button copies the address of what is shown", async () => {
   await withTank("chromium", { path: LINK }, async ({ page, context, url }) => {
-    await context.overridePermissions(new URL(url).origin, ["clipboard-read", "clipboard-write", "clipboard-sanitized-write"]);
+    await context.overridePermissions(new URL(url).origin, [
+      "clipboard-read",
+      "clipboard-write",
+      "clipboard-sanitized-write",
+    ]);
     await page.click("#share");
     await page.waitForFunction(() => document.getElementById("share").textContent === "Copied");
     const copied = await page.evaluate(() => navigator.clipboard.readText());
@@ -65,7 +74,11 @@ test("window.tanklab refuses bad input with a sentence and changes nothing", asy
   await withTank("chromium", {}, async ({ page, state }) => {
     const before = await state();
     const said = await page.evaluate(() =>
-      [["nonsense", 1], ["turret", NaN], ["turret", Infinity]].map(([name, value]) => {
+      [
+        ["nonsense", 1],
+        ["turret", NaN],
+        ["turret", Infinity],
+      ].map(([name, value]) => {
         try {
           tanklab.command(name, value);
           return "";
@@ -74,9 +87,14 @@ test("window.tanklab refuses bad input with a sentence and changes nothing", asy
         }
       }),
     );
-    for (const sentence of said) assert.match(sentence, /\w+ .*\./);
+    for (const sentence of said) {
+      assert.match(sentence, /\w+ .*\./);
+    }
     assert.equal((await state()).turret, before.turret);
-    await assert.rejects(page.evaluate(() => tanklab.check("9.9")), /9\.9/);
+    await assert.rejects(
+      page.evaluate(() => tanklab.check("9.9")),
+      /9\.9/,
+    );
   });
 });
 
@@ -105,9 +123,13 @@ const watch = (page, fragment) =>
         const look = () => {
           const { link, shot, sparks, inside, touches } = tanklab.state();
           const tick = new URLSearchParams(link).get("tick");
-          if (tick === null || withSparks === 20) return done(seen);
+          if (tick === null || withSparks === 20) {
+            return done(seen);
+          }
           seen[tick] = JSON.stringify({ shot, sparks, inside, touches });
-          if (sparks > 10) ++withSparks;
+          if (sparks > 10) {
+            ++withSparks;
+          }
           requestAnimationFrame(look);
         };
         tanklab.openLink(opened);
@@ -124,11 +146,14 @@ test("a link of a shot under way replays it: the same flight and the same sparks
     const withSparks = Object.values(first).filter((seen) => JSON.parse(seen).sparks > 10);
     assert.ok(withSparks.length >= 3, `${Object.keys(first)}`);
     for (const [tick, seen] of Object.entries(first)) {
-      const again = await page.evaluate((fragment) => {
-        tanklab.openLink(fragment); // what passed since then does not count
-        const { shot, sparks, inside, touches } = tanklab.state();
-        return { link: tanklab.link(), seen: JSON.stringify({ shot, sparks, inside, touches }) };
-      }, link.replace(/tick=\d+/, `tick=${tick}`));
+      const again = await page.evaluate(
+        (fragment) => {
+          tanklab.openLink(fragment); // what passed since then does not count
+          const { shot, sparks, inside, touches } = tanklab.state();
+          return { link: tanklab.link(), seen: JSON.stringify({ shot, sparks, inside, touches }) };
+        },
+        link.replace(/tick=\d+/, `tick=${tick}`),
+      );
       assert.equal(new URLSearchParams(again.link).get("tick"), tick);
       assert.equal(again.seen, seen, `at tick ${tick}`);
     }

@@ -22,8 +22,11 @@ after(() => fs.rmSync(folder, { recursive: true }));
 function pixelsOff(one, other, tolerance) {
   assert.equal(one.length, other.length, "the pictures are of different sizes");
   let count = 0;
-  for (let i = 0; i < one.length; i += 4)
-    if ([0, 1, 2, 3].some((channel) => Math.abs(one[i + channel] - other[i + channel]) > tolerance)) ++count;
+  for (let i = 0; i < one.length; i += 4) {
+    if ([0, 1, 2, 3].some((channel) => Math.abs(one[i + channel] - other[i + channel]) > tolerance)) {
+      ++count;
+    }
+  }
   return count;
 }
 
@@ -52,17 +55,32 @@ async function compare(browser, tolerance, shareOf, exceptions = {}, tellsOther 
     await page.waitForFunction("window.drawScene");
     const names = await page.evaluate("sceneNames()");
     const native = fs.readdirSync(folder).filter((file) => file.endsWith(".rgba"));
-    assert.deepEqual([...names].sort(), native.map((file) => file.replace(".rgba", "")).sort(), "the builds have other scenes");
-    const failures = Object.keys(exceptions).filter((name) => !names.includes(name)).map((name) => `${name}: there is no such scene`);
+    assert.deepEqual(
+      [...names].sort(),
+      native.map((file) => file.replace(".rgba", "")).sort(),
+      "the builds have other scenes",
+    );
+    const failures = Object.keys(exceptions)
+      .filter((name) => !names.includes(name))
+      .map((name) => `${name}: there is no such scene`);
     let same = 0;
     for (const [index, name] of names.entries()) {
       const { problem, told, pixels } = await page.evaluate((i) => drawScene(i), index);
       const reference = fs.readFileSync(path.join(folder, `${name}.rgba`));
       const picture = Buffer.from(pixels, "base64");
-      if (problem) failures.push(`${name}: ${problem}`);
-      if (!tellsOther.includes(name))
-        failures.push(...firstOther(told, fs.readFileSync(path.join(folder, `${name}.txt`), "utf8")).map((line) => `${name} ${line}`));
-      if (picture.equals(reference)) ++same;
+      if (problem) {
+        failures.push(`${name}: ${problem}`);
+      }
+      if (!tellsOther.includes(name)) {
+        failures.push(
+          ...firstOther(told, fs.readFileSync(path.join(folder, `${name}.txt`), "utf8")).map(
+            (line) => `${name} ${line}`,
+          ),
+        );
+      }
+      if (picture.equals(reference)) {
+        ++same;
+      }
       const usual = (shareOf(name) * reference.length) / 4;
       const count = pixelsOff(picture, reference, tolerance);
       if (count > (exceptions[name] ?? usual)) {
@@ -70,7 +88,9 @@ async function compare(browser, tolerance, shareOf, exceptions = {}, tellsOther 
         keepPicture(`oracle-${name}-${browser}`, topFirst(picture));
         keepPicture(`oracle-${name}-native`, topFirst(reference));
       }
-      if (name in exceptions && count <= usual) failures.push(`${name} needs no exception any more`);
+      if (name in exceptions && count <= usual) {
+        failures.push(`${name} needs no exception any more`);
+      }
     }
     console.log(`${browser}: ${same} of ${names.length} scenes are the native ones to the byte`);
     assert.deepEqual(failures, []);
@@ -81,7 +101,8 @@ async function compare(browser, tolerance, shareOf, exceptions = {}, tellsOther 
 // Firefox draws lines of one pixel only: wider ones come as triangles, whose colours differ by a few of 255.
 const IN_FIREFOX = { polygon_mode_wide_lines: 178 };
 
-test("Chromium on Mesa draws every scene as the native build does, to the byte", () => compare("chromium-mesa", 0, () => 0));
+test("Chromium on Mesa draws every scene as the native build does, to the byte", () =>
+  compare("chromium-mesa", 0, () => 0));
 test("Firefox draws every scene as the native build does, to the byte", () =>
   compare("firefox", 0, () => 0, IN_FIREFOX));
 
@@ -138,4 +159,10 @@ const OF_THE_RENDERER = [
 ];
 
 test("SwiftShader draws every scene within the design's bound, and what stands on the ground's grid within ten times it", () =>
-  compare("chromium", 8, (name) => (ON_THE_GRID.test(name) ? 0.02 : 0.002), { ...LINES, ...TEXEL_EDGES, ...OUTLINES }, OF_THE_RENDERER));
+  compare(
+    "chromium",
+    8,
+    (name) => (ON_THE_GRID.test(name) ? 0.02 : 0.002),
+    { ...LINES, ...TEXEL_EDGES, ...OUTLINES },
+    OF_THE_RENDERER,
+  ));

@@ -5,10 +5,10 @@ import os from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, test } from "node:test";
-import { zipSync } from "fflate";
 import { differentPixels, pixels, SITE } from "./harness.mjs";
 import { boxObj, highFiles, lowFiles, originalTga, tankLab, tankLod } from "./original_set.mjs";
 import { BARE, drawn, withTank } from "./tanklab_page.mjs";
+import { zipArchive } from "./zip_archive.mjs";
 
 const text = (words) => new TextEncoder().encode(words);
 const HIGH = highFiles();
@@ -23,8 +23,11 @@ async function drop(page, files) {
       const response = await fetch(`data:application/octet-stream;base64,${base64}`);
       transfer.items.add(new File([await response.arrayBuffer()], name));
     }
-    for (const type of ["dragover", "drop"])
-      document.getElementById("canvas").dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    for (const type of ["dragover", "drop"]) {
+      document
+        .getElementById("canvas")
+        .dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    }
   }, encoded);
   return said(page);
 }
@@ -93,7 +96,9 @@ test("tasks are checked on the user's tank, the page's links keep it, and a butt
     await page.waitForFunction(() => tanklab.state().tank === "lab");
     await page.evaluate(() => tanklab.command("tank", 1));
     await page.click("#own-tank");
-    await page.evaluate(() => [...document.querySelectorAll("dialog button")].find((one) => one.textContent.startsWith("Back")).click());
+    await page.evaluate(() =>
+      [...document.querySelectorAll("dialog button")].find((one) => one.textContent.startsWith("Back")).click(),
+    );
     assert.equal((await state()).tank, "lab");
     assert.equal(scaleOf(await state()), undefined);
   });
@@ -119,18 +124,25 @@ test("loose files are chosen by keyboard alone", async () => {
     await page.keyboard.press("Enter");
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement.textContent), "Choose a folder");
-    assert.ok(await page.evaluate(() => document.getElementById("own-tank-folder").webkitdirectory));
+    assert.ok(await page.evaluate(() => document.getElementById("own-tank-folder").matches("[webkitdirectory]")));
     await page.keyboard.press("Escape");
     assert.equal(await page.evaluate(() => document.querySelector("dialog[open]")), null);
   });
 });
 
 test("a folder is dropped with what lies in it", async () => {
-  onDisk("whole/tankobjs", { ...HIGH, "deep/TEXTURE.TGA": originalTga(), "notes.txt": text("x"), "__MACOSX/._tankbody.obj": text("\u0005") });
+  onDisk("whole/tankobjs", {
+    ...HIGH,
+    "deep/TEXTURE.TGA": originalTga(),
+    "notes.txt": text("x"),
+    "__MACOSX/._tankbody.obj": text("\u0005"),
+  });
   await withTank("chromium", {}, async ({ page, state }) => {
     const session = await page.createCDPSession();
     const data = { items: [], files: [path.join(folder, "whole")], dragOperationsMask: 1 };
-    for (const type of ["dragEnter", "dragOver", "drop"]) await session.send("Input.dispatchDragEvent", { type, x: 300, y: 300, data });
+    for (const type of ["dragEnter", "dragOver", "drop"]) {
+      await session.send("Input.dispatchDragEvent", { type, x: 300, y: 300, data });
+    }
     const words = await said(page);
     assert.match(words, /the lab's own tank/);
     assert.doesNotMatch(words, /no texture/);
@@ -142,7 +154,9 @@ test("a folder is dropped with what lies in it", async () => {
 test("a link of such a state asks for the files and keeps the rest until they come", async () => {
   await withTank("chromium", { path: "#turret=-25&tank=own" }, async ({ page, state }) => {
     assert.match(await said(page), /somebody’s own files, which are not in it/);
-    const choosers = await page.evaluate(() => [...document.querySelectorAll(".notice .buttons button")].map((one) => one.textContent));
+    const choosers = await page.evaluate(() =>
+      [...document.querySelectorAll(".notice .buttons button")].map((one) => one.textContent),
+    );
     assert.deepEqual(choosers, ["Choose files", "Choose a folder"]);
     let now = await state();
     assert.deepEqual([now.turret, now.tank, now.has_own_tank, scaleOf(now)], [-25, "own", false, undefined]);
@@ -153,40 +167,143 @@ test("a link of such a state asks for the files and keeps the rest until they co
     now = await state();
     assert.deepEqual([now.turret, now.link, scaleOf(now)], [-25, "turret=-25&tank=own", "your own, scaled by 0.04369"]);
     await page.click("#share");
-    await page.waitForFunction(() => [...document.querySelectorAll(".notice p")].some((one) => /whoever opens it is asked/.test(one.textContent)));
+    await page.waitForFunction(() =>
+      [...document.querySelectorAll(".notice p")].some((one) => /whoever opens it is asked/.test(one.textContent)),
+    );
   });
 });
 
-test("nothing leaves the browser, and what reads files is loaded only when it is needed", async () => {
+const UNPACKS = /\/later\/unzip-[0-9A-Z]+\.js$/;
+
+test("nothing leaves the browser, and what unpacks archives is loaded only when there is one", async () => {
   const requests = [];
   const before = (page) => page.on("request", (request) => requests.push(request));
   await withTank("chromium", { before }, async ({ page, url }) => {
     assert.ok(!requests.some((request) => request.url().includes("later/")));
-    requests.length = 0;
-    await drop(page, { "tankLab.zip": tankLab() });
     // The icon is fetched by the browser, when it likes: on a busy machine, now.
     const icon = await page.$eval('link[rel="icon"]', (link) => link.href);
-    const sent = requests.filter((request) => !request.url().startsWith("data:") && request.url() !== icon);
-    assert.deepEqual(sent.map((request) => [request.method(), new URL(request.url()).pathname]), [["GET", new URL("later/own_tank.js", url).pathname]]);
+    const sent = async (files) => {
+      requests.length = 0;
+      await drop(page, files);
+      return requests.filter((request) => !request.url().startsWith("data:") && request.url() !== icon);
+    };
+    assert.deepEqual(
+      (await sent(HIGH)).map((request) => request.url()),
+      [],
+    );
+    const [unpacks, ...others] = await sent({ "tankLab.zip": tankLab() });
+    assert.deepEqual([unpacks.method(), new URL(unpacks.url()).origin, others.length], ["GET", new URL(url).origin, 0]);
+    assert.match(new URL(unpacks.url()).pathname, UNPACKS);
   });
 });
 
-const zipped = (files) => zipSync(files, { level: 1 });
+for (const browser of ["chromium", "firefox"]) {
+  test(`what unpacks archives and does not arrive in ${browser} is told, and comes with the page loaded anew`, async () => {
+    let asked = 0;
+    const before = async (page) => {
+      await page.setRequestInterception(true);
+      page.on("request", (request) =>
+        UNPACKS.test(request.url()) && ++asked === 1 ? request.abort() : request.continue(),
+      );
+    };
+    await withTank(browser, { before }, async ({ page, state }) => {
+      assert.match(
+        await drop(page, { "tankLab.zip": tankLab() }),
+        /unpacks archives did not arrive\. Check your connection and reload the page/,
+      );
+      await page.reload();
+      await page.waitForSelector("body.ready");
+      assert.match(await drop(page, { "tankLab.zip": tankLab() }), /the lab's own tank/);
+      assert.equal((await state()).tank, "own");
+    });
+  });
+}
+
+const zipped = (files) => zipArchive(files);
+/** What is brought, by its names, what is said of it, and how large tankbody.obj is said to be.
+    @type {[string, Record<string, Uint8Array>, RegExp, number?][]} */
 const BAD_INPUT = [
   ["a zip that is none", { "tankLab.zip": text("no zip at all") }, /tankLab\.zip is no zip archive\. Drop /],
-  ["a zip without anything of a tank", { "photos.zip": zipped({ "a.jpg": text("x") }) }, /photos\.zip holds nothing of a tank\. Drop /],
+  [
+    "a zip without anything of a tank",
+    { "photos.zip": zipped({ "a.jpg": text("x") }) },
+    /photos\.zip holds nothing of a tank\. Drop /,
+  ],
   ["files that are none", { "essay.txt": text("x"), "b.txt": text("x") }, /hold nothing of a tank/],
-  ["a zip whose paths lead out", { "tankLab.zip": zipped({ ...HIGH, "../../evil.obj": text("x") }) }, /“\.\.\/\.\.\/evil\.obj”, which leads out/],
-  ["a part that is missing", { "tankLab.zip": zipped(Object.fromEntries(Object.entries(HIGH).slice(0, 4))) }, /not complete: tankwheel\.obj is missing\. Bring it, too/],
-  ["some of the low parts", { ...HIGH, "tankbodyLow.obj": lowFiles()["tankbodyLow.obj"] }, /tankturretLow\.obj.*tankwheelLow\.obj are missing/],
+  [
+    "a zip whose paths lead out",
+    { "tankLab.zip": zipped({ ...HIGH, "../../evil.obj": text("x") }) },
+    /“\.\.\/\.\.\/evil\.obj”, which leads out/,
+  ],
+  [
+    "a part that is missing",
+    { "tankLab.zip": zipped(Object.fromEntries(Object.entries(HIGH).slice(0, 4))) },
+    /not complete: tankwheel\.obj is missing\. Bring it, too/,
+  ],
+  [
+    "some of the low parts",
+    { ...HIGH, "tankbodyLow.obj": lowFiles()["tankbodyLow.obj"] },
+    /tankturretLow\.obj.*tankwheelLow\.obj are missing/,
+  ],
   ["a texture without models", { "texture.tga": originalTga() }, /A texture alone makes no tank\. Bring the models/],
   ["low models without high ones", { "tankLOD.zip": tankLod() }, /low models alone make no tank/],
-  ["an OBJ of 100 MB", { ...HIGH, "tankbody.obj": new Uint8Array(1) }, /tankbody\.obj has 100 MB and at most 32 MB are read/, 100 << 20],
-  ["an OBJ with a fault", { ...HIGH, "tankgun.obj": text("x"), "tankmaingun.obj": text("v 0 0 0\nf 1 2 3\n") }, /tankmaingun\.obj:2: .*The tank stays as it was/],
-  ["a texture of a wrong kind", { ...HIGH, "texture.tga": text("GIF89a and so on") }, /texture\.tga: .*The tank stays as it was/],
-  ["a texture that is too large", { ...HIGH, "texture.tga": Uint8Array.from([0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 24, 0]) }, /texture\.tga: the image is too large.*scale it down\. The tank stays/],
-  ["two files of one name", { ...HIGH, "a.zip": zipped({ "tankbody.obj": text(boxObj([[0, 0, 0], [1, 1, 1]], 1, false)) }) }, /tankbody\.obj: is there more than once/],
-  ["parts in different units", { ...HIGH, "tankwheel.obj": text(boxObj([[0, 0, 0], [1e6, 1, 1]], 1, false)) }, /tankwheel\.obj: the part lies more than 1000 m/],
+  [
+    "an OBJ of 100 MB",
+    { ...HIGH, "tankbody.obj": new Uint8Array(1) },
+    /tankbody\.obj has 100 MB and at most 32 MB are read/,
+    100 << 20,
+  ],
+  [
+    "an OBJ with a fault",
+    { ...HIGH, "tankgun.obj": text("x"), "tankmaingun.obj": text("v 0 0 0\nf 1 2 3\n") },
+    /tankmaingun\.obj:2: .*The tank stays as it was/,
+  ],
+  [
+    "a texture of a wrong kind",
+    { ...HIGH, "texture.tga": text("GIF89a and so on") },
+    /texture\.tga: .*The tank stays as it was/,
+  ],
+  [
+    "a texture that is too large",
+    { ...HIGH, "texture.tga": Uint8Array.from([0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 24, 0]) },
+    /texture\.tga: the image is too large.*scale it down\. The tank stays/,
+  ],
+  [
+    "two files of one name",
+    {
+      ...HIGH,
+      "a.zip": zipped({
+        "tankbody.obj": text(
+          boxObj(
+            [
+              [0, 0, 0],
+              [1, 1, 1],
+            ],
+            1,
+            false,
+          ),
+        ),
+      }),
+    },
+    /tankbody\.obj: is there more than once/,
+  ],
+  [
+    "parts in different units",
+    {
+      ...HIGH,
+      "tankwheel.obj": text(
+        boxObj(
+          [
+            [0, 0, 0],
+            [1e6, 1, 1],
+          ],
+          1,
+          false,
+        ),
+      ),
+    },
+    /tankwheel\.obj: the part lies more than 1000 m/,
+  ],
 ];
 
 test("what makes no tank is said, with what to do, and the tank stays as it was", async () => {
@@ -196,9 +313,24 @@ test("what makes no tank is said, with what to do, and the tank stays as it was"
       await page.reload(); // what makes no tank yet is kept for what comes
       await page.waitForSelector("body.ready");
       // A file as large as it says need not be made: its size alone decides.
-      if (size) await page.evaluate((bytes) => void Object.defineProperty(File.prototype, "size", { configurable: true, get() { return this.name === "tankbody.obj" ? bytes : Object.getOwnPropertyDescriptor(Blob.prototype, "size").get.call(this); } }), size);
+      if (size) {
+        await page.evaluate(
+          (bytes) =>
+            void Object.defineProperty(File.prototype, "size", {
+              configurable: true,
+              get() {
+                return this.name === "tankbody.obj"
+                  ? bytes
+                  : Object.getOwnPropertyDescriptor(Blob.prototype, "size").get.call(this);
+              },
+            }),
+          size,
+        );
+      }
       const words = await drop(page, files);
-      if (size) await page.evaluate(() => delete File.prototype.size);
+      if (size) {
+        await page.evaluate(() => Reflect.deleteProperty(File.prototype, "size"));
+      }
       assert.match(words, expected, name);
       assert.match(words, /\.$/, name);
       assert.deepEqual([(await state()).tank, (await state()).has_own_tank], ["lab", false], name);

@@ -8,7 +8,11 @@ import { test } from "node:test";
 import { differentPixels, keepPicture, pixels, printRenderer, readPicture } from "./harness.mjs";
 import { BARE, drawn, withTank } from "./tanklab_page.mjs";
 
-const LINKS = ["", "#turret=60&gun=20&secondary_gun=45&orbit=-150&tilt=25", "#turret=-165&gun=-9&heading=30&orbit=90&tilt=3&distance=9"];
+const LINKS = [
+  "",
+  "#turret=60&gun=20&secondary_gun=45&orbit=-150&tilt=25",
+  "#turret=-165&gun=-9&heading=30&orbit=90&tilt=3&distance=9",
+];
 const SIZE = { width: 640, height: 400 };
 
 /** Draws a link by the native program. */
@@ -17,7 +21,9 @@ function native(link) {
   try {
     const out = path.join(folder, "native.png");
     const program = path.join(process.env.TANKLAB_NATIVE, "tanklab-render");
-    const done = spawnSync(program, [link || "#", "--size", `${SIZE.width}x${SIZE.height}`, "--out", out], { encoding: "utf8" });
+    const done = spawnSync(program, [link || "#", "--size", `${SIZE.width}x${SIZE.height}`, "--out", out], {
+      encoding: "utf8",
+    });
     assert.equal(done.status, 0, done.stderr);
     return readPicture(out);
   } finally {
@@ -27,9 +33,11 @@ function native(link) {
 
 /** Compares the page's pictures of all links with the native ones; allowed(count, total) judges. */
 async function compare(browser, links, tolerance, allowed) {
-  for (const [i, link] of links.entries())
+  for (const [i, link] of links.entries()) {
     await withTank(browser, { path: BARE + link, viewport: SIZE }, async ({ page }) => {
-      if (i === 0) await printRenderer(page, browser);
+      if (i === 0) {
+        await printRenderer(page, browser);
+      }
       await drawn(page);
       const picture = await pixels(page, "#canvas");
       const reference = native(link);
@@ -41,9 +49,11 @@ async function compare(browser, links, tolerance, allowed) {
         assert.fail(`${count} pixels differ; both are in build/test/pictures`);
       }
     });
+  }
 }
 
-test("Chromium on Mesa draws the native picture to the byte", () => compare("chromium-mesa", LINKS, 0, (count) => count === 0));
+test("Chromium on Mesa draws the native picture to the byte", () =>
+  compare("chromium-mesa", LINKS, 0, (count) => count === 0));
 
 // Without the ground: SwiftShader lays whole grid lines a pixel beside Mesa's, 0.65 % of the first picture.
 const WITHOUT_GROUND = LINKS.map((link) => (link ? `${link}&ground=off` : "#ground=off"));
@@ -57,7 +67,9 @@ test("a steady frame makes no object, compiles no shader and makes few calls bes
       window.glCalls = {};
       for (const name of Object.getOwnPropertyNames(WebGL2RenderingContext.prototype)) {
         const real = Object.getOwnPropertyDescriptor(WebGL2RenderingContext.prototype, name)?.value;
-        if (typeof real !== "function") continue;
+        if (typeof real !== "function") {
+          continue;
+        }
         WebGL2RenderingContext.prototype[name] = function (...args) {
           window.glCalls[name] = (window.glCalls[name] ?? 0) + 1;
           return real.apply(this, args);
@@ -78,8 +90,17 @@ test("a steady frame makes no object, compiles no shader and makes few calls bes
     });
     await page.keyboard.up("KeyQ");
     assert.ok(calls.clear > 0 && calls.drawArrays > 0, JSON.stringify(calls));
-    for (const name of ["compileShader", "linkProgram", "texImage2D", "createBuffer", "createVertexArray", "getError", "readPixels"])
+    for (const name of [
+      "compileShader",
+      "linkProgram",
+      "texImage2D",
+      "createBuffer",
+      "createVertexArray",
+      "getError",
+      "readPixels",
+    ]) {
       assert.equal(calls[name] ?? 0, 0, `${name} in a steady frame: ${JSON.stringify(calls)}`);
+    }
     const draws = ((calls.drawArrays ?? 0) + (calls.drawElements ?? 0)) / calls.clear;
     console.log(`${draws} draw calls a frame`);
     assert.ok(draws <= 25 + 10, "20 parts and tracks, the sky and an axis");

@@ -32,7 +32,10 @@ test("a drag elsewhere goes round and leaves the point", async () => {
     const after = await state();
     assert.notEqual(after.orbit, before.orbit);
     assert.notEqual(after.tilt, before.tilt);
-    assert.deepEqual([after.point_x, after.point_y, after.point_z, after.event], [before.point_x, before.point_y, before.point_z, before.event]);
+    assert.deepEqual(
+      [after.point_x, after.point_y, after.point_z, after.event],
+      [before.point_x, before.point_y, before.point_z, before.event],
+    );
   });
 });
 

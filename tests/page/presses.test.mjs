@@ -8,16 +8,31 @@ const SMALL = { width: 320, height: 200 }; // quickly drawn
 // The commands that go to the next choice of a field, and the field.
 const CHOICES = {
   next_tank: "tank",
-  toggle_ground: "ground", next_handle: "handle", next_probe: "probe", next_spheres: "spheres", next_fit: "fit", toggle_triangles: "triangles",
-  next_particles: "particles", next_detail: "detail", next_parts: "parts", next_axis: "axis", toggle_wireframe: "wireframe", next_view: "view",
+  toggle_ground: "ground",
+  next_handle: "handle",
+  next_probe: "probe",
+  next_spheres: "spheres",
+  next_fit: "fit",
+  toggle_triangles: "triangles",
+  next_particles: "particles",
+  next_detail: "detail",
+  next_parts: "parts",
+  next_axis: "axis",
+  toggle_wireframe: "wireframe",
+  next_view: "view",
 };
 
 /** Returns a table of what the other keys do: from (a link to press them in), and done(before, after, fields). */
 function effects() {
   const isReset = (groups) => (before, after, fields) => {
     const own = fields.filter((field) => groups.includes(field.group));
-    assert.ok(own.some((field) => before[field.name] !== after[field.name]), "something was to be brought back");
-    for (const field of own) assert.equal(after[field.name], field.choices ? field.choices[field.default] : field.default, field.name);
+    assert.ok(
+      own.some((field) => before[field.name] !== after[field.name]),
+      "something was to be brought back",
+    );
+    for (const field of own) {
+      assert.equal(after[field.name], field.choices ? field.choices[field.default] : field.default, field.name);
+    }
   };
   const opens = (kind, id) => (before, after) => assert.equal(after[kind], id);
   const fires = (before, after) => {
@@ -25,12 +40,18 @@ function effects() {
     assert.ok(after.shot, "the projectile flies");
   };
   return {
-    reset_pose: { from: "turret=20&gun=5&heading=30&wheels_left=9", done: isReset(["Turret, guns and wheels", "Tank"]) },
+    reset_pose: {
+      from: "turret=20&gun=5&heading=30&wheels_left=9",
+      done: isReset(["Turret, guns and wheels", "Tank"]),
+    },
     reset_view: { from: "orbit=1&tilt=50&distance=30", done: isReset(["Camera"]) },
     reset_projectile: { from: "point_x=1&line_ay=9&handle=line_b", done: isReset(["Projectile"]) },
     fire: { from: "speed=10", done: fires },
     fire_at_aim: { from: "speed=10", done: fires },
-    print_report: { from: "probe=point", done: (before, after) => assert.equal(after.hits.count, before.hits.count + 1) },
+    print_report: {
+      from: "probe=point",
+      done: (before, after) => assert.equal(after.hits.count, before.hits.count + 1),
+    },
     note_threshold: { from: "distance=33", done: (before, after) => assert.equal(after.threshold, 33) },
     next_task_1: { from: "task=1.1", done: opens("task", "1.2") },
     next_task_2: { from: "task=2.6", done: opens("task", "2.1") },
@@ -46,6 +67,7 @@ async function press(page, fragment, code) {
     return tanklab.state();
   }, fragment);
   await page.keyboard.press(code);
+  await drawn(page); // sparks change the state, too: what counts is that a frame has taken the key
   await page.waitForFunction((revision) => tanklab.state().revision !== revision, {}, before.revision);
   return { before, after: await page.evaluate(() => tanklab.state()) };
 }
@@ -56,7 +78,7 @@ test("every key that is pressed does once what its row says", async () => {
     const fields = commands.filter((command) => command.kind === "set" && command.fields.length === 1);
     const table = effects();
     let pressed = 0;
-    for (const command of commands.filter(({ kind, keys }) => kind === "press" && keys.length > 0))
+    for (const command of commands.filter(({ kind, keys }) => kind === "press" && keys.length > 0)) {
       for (const code of command.keys) {
         ++pressed;
         const choice = fields.find(({ name }) => name === CHOICES[command.name]);
@@ -71,10 +93,16 @@ test("every key that is pressed does once what its row says", async () => {
         for (let i = 0; i < choice.choices.length; ++i) {
           await page.keyboard.press(code);
           place = (place + 1) % choice.choices.length;
-          await page.waitForFunction((name, value) => tanklab.state()[name] === value, { timeout: 5000 }, choice.name, choice.choices[place]);
+          await page.waitForFunction(
+            (name, value) => tanklab.state()[name] === value,
+            { timeout: 5000 },
+            choice.name,
+            choice.choices[place],
+          );
         }
         assert.equal(place, choice.default, `${code} goes through all of ${choice.name}`);
       }
+    }
     assert.ok(pressed >= 20, String(pressed));
     assert.deepEqual(problems, []);
   });

@@ -27,7 +27,7 @@ const opened = (page, link) => page.evaluate((fragment) => (tanklab.openLink(fra
 /** Leaves out what tells of the way there: changes, what was printed, which spheres were computed, and the sparks of
     the shot before, which burn out; those of the shot under way are in the hash. */
 function comparable({ revision, hits: { count, ...hits }, evidence, sparks, ...state }) {
-  return { ...state, hits, evidence: evidence.filter(({ label }) => !/computed anew$|^Sparks alight$/.test(label)) };
+  return { ...state, hits, evidence: evidence.filter(({ label }) => !/recomputed$|^Sparks alight$/.test(label)) };
 }
 
 test("every task, every figure and shots in flight are the same on the page as natively", async () => {

@@ -14,7 +14,9 @@ after(() => fs.rmSync(scratch, { recursive: true }));
 
 /** Runs a command with what emcc needs; gives what spawnSync gives. */
 const run = (...command) =>
-  spawnSync("bash", ["-c", 'source "$0"; use_emscripten; "$@"', path.join(ROOT, "scripts/common.sh"), ...command], { encoding: "utf8" });
+  spawnSync("bash", ["-c", 'source "$0"; use_emscripten; "$@"', path.join(ROOT, "scripts/common.sh"), ...command], {
+    encoding: "utf8",
+  });
 
 /** Writes stand-ins for `missing` as it would be where SDL2's only file is `code`. Gives what spawnSync gives. */
 function standIns(missing, code) {
@@ -27,7 +29,11 @@ function standIns(missing, code) {
 }
 
 test("the page's SDL2 is trimmed to less than half of the whole one, which links, too", () => {
-  assert.equal(fs.readFileSync(path.join(DEPENDENCIES, "sdl-form"), "utf8").trim(), "trimmed", "see build/deps/trim.log");
+  assert.equal(
+    fs.readFileSync(path.join(DEPENDENCIES, "sdl-form"), "utf8").trim(),
+    "trimmed",
+    "see build/deps/trim.log",
+  );
   const trimmed = Number(fs.readFileSync(path.join(DEPENDENCIES, "sdl-bytes"), "utf8"));
   const built = run(path.join(ROOT, "scripts/web-deps/build-sdl"), "whole", path.join(DEPENDENCIES, "source"), scratch);
   assert.equal(built.status, 0, built.stderr);
@@ -39,12 +45,18 @@ test("the page's SDL2 is trimmed to less than half of the whole one, which links
 });
 
 test("a function that is left out is stood in for by one of the type that it is called with", () => {
-  const { stdout, stderr } = standIns("SDL_Left", "double SDL_Left(long long, float, void*); double f(void) { return SDL_Left(1, 2, 0); }");
+  const { stdout, stderr } = standIns(
+    "SDL_Left",
+    "double SDL_Left(long long, float, void*); double f(void) { return SDL_Left(1, 2, 0); }",
+  );
   assert.match(stdout, /^double SDL_Left\(long long p0, float p1, int p2\) \{.*return 0; \}$/m, stderr);
 });
 
 test("what is left out and no function, or not SDL2's, is named, and nothing stands in for it", () => {
-  const cases = { SDL_table: "extern int SDL_table[]; int f(int i) { return SDL_table[i]; }", sleep: "void sleep(int); void f(void) { sleep(1); }" };
+  const cases = {
+    SDL_table: "extern int SDL_table[]; int f(int i) { return SDL_table[i]; }",
+    sleep: "void sleep(int); void f(void) { sleep(1); }",
+  };
   for (const [name, code] of Object.entries(cases)) {
     const { status, stdout, stderr } = standIns(name, code);
     assert.deepEqual([status, stdout], [1, ""]);

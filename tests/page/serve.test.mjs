@@ -14,7 +14,9 @@ import { serve } from "../../scripts/serve.mjs";
 const SCRIPT = fileURLToPath(new URL("../../scripts/serve.mjs", import.meta.url));
 const TEXT = "tank ".repeat(1000);
 
-let outside, folder, server;
+let outside;
+let folder;
+let server;
 before(async () => {
   outside = fs.mkdtempSync(path.join(os.tmpdir(), "tanklab-serve-"));
   folder = path.join(outside, "site");
@@ -38,7 +40,9 @@ async function get(requestPath, { method = "GET", headers = {} } = {}) {
   const request = http.request({ host: "127.0.0.1", port: server.port, path: requestPath, method, headers }).end();
   const [response] = await once(request, "response");
   const parts = [];
-  for await (const part of response) parts.push(part);
+  for await (const part of response) {
+    parts.push(part);
+  }
   return { status: response.statusCode, headers: response.headers, body: Buffer.concat(parts) };
 }
 
@@ -60,7 +64,10 @@ test("what compresses is gzipped for those who accept it, and only for them", as
   assert.equal(Number(zipped.headers["content-length"]), zipped.body.length);
   assert.ok(zipped.body.length < plain.body.length / 10);
   assert.equal(gunzipSync(zipped.body).toString(), TEXT);
-  assert.equal((await get("/a.png", { headers: { "Accept-Encoding": "gzip" } })).headers["content-encoding"], undefined);
+  assert.equal(
+    (await get("/a.png", { headers: { "Accept-Encoding": "gzip" } })).headers["content-encoding"],
+    undefined,
+  );
 });
 
 test("HEAD sends what GET would, without the body", async () => {
@@ -96,7 +103,9 @@ test("a taken port gives the next free one, and it says so; Ctrl-C ends it", asy
   const program = spawn(process.execPath, [SCRIPT, "--port", String(server.port), folder]);
   let output = "";
   program.stdout.on("data", (part) => (output += part));
-  while (!output.includes("Ctrl-C")) await once(program.stdout, "data");
+  while (!output.includes("Ctrl-C")) {
+    await once(program.stdout, "data");
+  }
   const [, port] = /is at http:\/\/127\.0\.0\.1:(\d+)\//.exec(output);
   assert.ok(Number(port) > server.port);
   assert.match(output, new RegExp(`Port ${server.port} is taken; using ${port}`));
@@ -105,11 +114,13 @@ test("a taken port gives the next free one, and it says so; Ctrl-C ends it", asy
   assert.deepEqual(await once(program, "exit"), [0, null]);
 });
 
-for (const [given, complaint] of [
+/** @type {[string[], RegExp][]} */
+const REFUSED = [
   [["--port", "x"], /'x' is no port/],
   [["--port", "70000"], /'70000' is no port/],
   [["/there/is/no/folder"], /there is no folder/],
-]) {
+];
+for (const [given, complaint] of REFUSED) {
   test(`${given.join(" ")} is refused with status 2`, async () => {
     const program = spawn(process.execPath, [SCRIPT, ...given]);
     let output = "";

@@ -8,7 +8,9 @@ export const BARE = "?antialias=0&overlays=0";
 export async function withTank(browser, options, use) {
   const before = async (page, address) => {
     // Nothing fades then, and nobody waits for it.
-    if (browser !== "firefox") await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
+    if (browser !== "firefox") {
+      await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
+    }
     await options.before?.(page, address);
   };
   return withPage(browser, { ...options, before }, async (given) => {
@@ -23,14 +25,16 @@ export async function withTank(browser, options, use) {
 
 /** Returns after the page has drawn what is so now. */
 export async function drawn(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))),
+  );
 }
 
 /** Presses a real key until a condition on the state holds, or the time is over; returns the last state. */
 export async function holdKey(page, code, until, milliseconds = 8000) {
   await page.keyboard.down(code);
   let state = await page.evaluate(() => tanklab.state());
-  for (const end = Date.now() + milliseconds; Date.now() < end && !until(state); ) {
+  for (const end = Date.now() + milliseconds; Date.now() < end && !until(state);) {
     await drawn(page);
     state = await page.evaluate(() => tanklab.state());
   }

@@ -14,7 +14,10 @@ test("a key goes through the views, and the link says which", async () => {
   });
 });
 
-for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }])
+for (const viewport of [
+  { width: 1280, height: 800 },
+  { width: 390, height: 844 },
+]) {
   test(`figure 1 shows four views, each with its name in its own quarter, at ${viewport.width} x ${viewport.height}`, async () => {
     await withTank("chromium", { viewport, path: "#figure=1" }, async ({ page }) => {
       const named = await page.evaluate(() => {
@@ -23,21 +26,37 @@ for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 
           const box = name.getBoundingClientRect();
           const column = (x) => (x - picture.left) / picture.width;
           const row = (y) => (y - picture.top) / picture.height;
-          return { text: name.textContent, shown: name.checkVisibility(), left: column(box.left), right: column(box.right), top: row(box.top), bottom: row(box.bottom) };
+          return {
+            text: name.textContent,
+            shown: name.checkVisibility(),
+            left: column(box.left),
+            right: column(box.right),
+            top: row(box.top),
+            bottom: row(box.bottom),
+          };
         });
       });
-      const quarter = ({ left, right, top, bottom }) => [left >= 0.5 ? 1 : right <= 0.5 ? 0 : null, top >= 0.5 ? 1 : bottom <= 0.5 ? 0 : null];
-      assert.deepEqual(named.map((name) => [name.text, ...quarter(name)]), [
-        ["From the front", 0, 0],
-        ["From the left", 1, 0],
-        ["In perspective", 0, 1],
-        ["From above", 1, 1],
-      ]);
+      const quarter = ({ left, right, top, bottom }) => [
+        left >= 0.5 ? 1 : right <= 0.5 ? 0 : null,
+        top >= 0.5 ? 1 : bottom <= 0.5 ? 0 : null,
+      ];
+      assert.deepEqual(
+        named.map((name) => [name.text, ...quarter(name)]),
+        [
+          ["From the front", 0, 0],
+          ["From the left", 1, 0],
+          ["In perspective", 0, 1],
+          ["From above", 1, 1],
+        ],
+      );
       assert.ok(named.every(({ shown }) => shown));
       const covered = await page.evaluate(() => {
         const picture = document.getElementById("canvas").getBoundingClientRect();
         const panel = document.getElementById("tasks").getBoundingClientRect();
-        return Math.min(picture.right, panel.right) - Math.max(picture.left, panel.left) > 1 && Math.min(picture.bottom, panel.bottom) - Math.max(picture.top, panel.top) > 1;
+        return (
+          Math.min(picture.right, panel.right) - Math.max(picture.left, panel.left) > 1 &&
+          Math.min(picture.bottom, panel.bottom) - Math.max(picture.top, panel.top) > 1
+        );
       });
       assert.equal(covered, false, "no view lies under the panel");
       const viewports = await page.evaluate(() => tanklab.capture().filter(({ name }) => name === "glViewport").length);
@@ -46,6 +65,7 @@ for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 
       await page.waitForFunction(() => document.getElementById("pane-names").hidden);
     });
   });
+}
 
 test("the gunner's drag turns turret and gun, and Space fires from the muzzle", async () => {
   await withTank("chromium", { path: "?overlays=0#view=gunner&speed=20" }, async ({ page, state }) => {

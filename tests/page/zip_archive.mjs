@@ -13,8 +13,11 @@ function bytesOf(...fields) {
   const bytes = Buffer.alloc(fields.reduce((sum, [size]) => sum + size, 0));
   let at = 0;
   for (const [size, value] of fields) {
-    if (size === 8) bytes.writeBigUInt64LE(BigInt(value), at);
-    else bytes.writeUIntLE(value, at, size);
+    if (size === 8) {
+      bytes.writeBigUInt64LE(BigInt(value), at);
+    } else {
+      bytes.writeUIntLE(value, at, size);
+    }
     at += size;
   }
   return bytes;
@@ -29,7 +32,12 @@ function parts(path, content, at, { stored, streamed, zip64 }) {
   const data = stored ? Buffer.from(content) : deflateRawSync(content);
   const [crc, packed, size] = [crcOf(content), data.length, content.length];
   const version = zip64 ? NEEDS_64 : 20;
-  const common = [[2, version], [2, UTF_8 | (streamed ? STREAMED : 0)], [2, stored ? STORED : DEFLATED], [4, 0x21 << 16]];
+  const common = [
+    [2, version],
+    [2, UTF_8 | (streamed ? STREAMED : 0)],
+    [2, stored ? STORED : DEFLATED],
+    [4, 0x21 << 16],
+  ];
   const known = streamed ? [0, 0, 0] : [crc, packed, size];
   const localSizes = zip64 ? [LONG, LONG] : known.slice(1);
   const localExtra = zip64 ? extra64(known[2], known[1]) : Buffer.alloc(0);
@@ -38,7 +46,14 @@ function parts(path, content, at, { stored, streamed, zip64 }) {
   const wide = zip64 ? 8 : 4;
   return {
     local: Buffer.concat([
-      bytesOf([4, 0x04034b50], ...common, [4, known[0]], ...localSizes.map((value) => [4, value]), [2, name.length], [2, localExtra.length]),
+      bytesOf(
+        [4, 0x04034b50],
+        ...common,
+        [4, known[0]],
+        ...localSizes.map((value) => [4, value]),
+        [2, name.length],
+        [2, localExtra.length],
+      ),
       name,
       localExtra,
     ]),
@@ -70,10 +85,24 @@ export function zipArchive(files, { stored = false, streamed = false, zip64 = fa
   const directory = Buffer.concat(entries);
   const count = entries.length;
   const end64 = [
-    bytesOf([4, 0x06064b50], [8, 44], [2, NEEDS_64], [2, NEEDS_64], [4, 0], [4, 0], [8, count], [8, count], [8, directory.length], [8, at]),
+    bytesOf(
+      [4, 0x06064b50],
+      [8, 44],
+      [2, NEEDS_64],
+      [2, NEEDS_64],
+      [4, 0],
+      [4, 0],
+      [8, count],
+      [8, count],
+      [8, directory.length],
+      [8, at],
+    ),
     bytesOf([4, 0x07064b50], [4, 0], [8, at + directory.length], [4, 1]),
   ];
   const counts = zip64 ? [SHORT, SHORT, LONG, LONG] : [count, count, directory.length, at];
-  const end = bytesOf([4, 0x06054b50], [2, 0], [2, 0], ...counts.map((value, i) => [i < 2 ? 2 : 4, value]), [2, Buffer.byteLength(comment)]);
+  const end = bytesOf([4, 0x06054b50], [2, 0], [2, 0], ...counts.map((value, i) => [i < 2 ? 2 : 4, value]), [
+    2,
+    Buffer.byteLength(comment),
+  ]);
   return new Uint8Array(Buffer.concat([...before, directory, ...(zip64 ? end64 : []), end, Buffer.from(comment)]));
 }

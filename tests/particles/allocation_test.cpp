@@ -25,7 +25,7 @@ TEST(Allocation, OfPlacesHappensOnlyWhenTheirNumberChanges)
         const std::size_t before = allocation_count();
         for (int i = 0; i < 200; ++i) {
             if (i % 5 == 0) {
-                EXPECT_TRUE(system.burst(70, {0.0F, 1.0F, 0.0F}, {0.0F, 2.0F, 0.0F}));
+                EXPECT_TRUE(system.burst(70, {0.0f, 1.0f, 0.0f}, {0.0f, 2.0f, 0.0f}));
             }
             EXPECT_TRUE(system.step(1.0 / 60.0));
             EXPECT_EQ(system.view().count(), system.live());

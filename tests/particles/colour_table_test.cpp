@@ -7,10 +7,10 @@ namespace {
 
 TEST(ColourTable, BeginsWithTheStartAndEndsWithTheEnd)
 {
-    const ColourTable table = colour_table({.start = {1.0F, 0.0F, 0.5F, 1.0F},
-                                            .middle = {0.0F, 1.0F, 0.0F, 1.0F},
-                                            .end = {0.25F, 0.0F, 1.0F, 0.0F},
-                                            .middle_at = 0.4F});
+    const ColourTable table = colour_table({.start = {1.0f, 0.0f, 0.5f, 1.0f},
+                                            .middle = {0.0f, 1.0f, 0.0f, 1.0f},
+                                            .end = {0.25f, 0.0f, 1.0f, 0.0f},
+                                            .middle_at = 0.4f});
     EXPECT_EQ(table.front(), (Rgba{255, 0, 128, 255}));
     EXPECT_EQ(table[102], (Rgba{0, 255, 0, 255})); // 0.4 * 255
     EXPECT_EQ(table.back(), (Rgba{64, 0, 255, 0}));
@@ -18,10 +18,10 @@ TEST(ColourTable, BeginsWithTheStartAndEndsWithTheEnd)
 
 TEST(ColourTable, GoesStraightInBetween)
 {
-    const ColourTable table = colour_table({.start = {0.0F, 0.0F, 0.0F, 1.0F},
-                                            .middle = {1.0F, 1.0F, 1.0F, 1.0F},
-                                            .end = {0.0F, 0.0F, 0.0F, 1.0F},
-                                            .middle_at = 0.5F});
+    const ColourTable table = colour_table({.start = {0.0f, 0.0f, 0.0f, 1.0f},
+                                            .middle = {1.0f, 1.0f, 1.0f, 1.0f},
+                                            .end = {0.0f, 0.0f, 0.0f, 1.0f},
+                                            .middle_at = 0.5f});
     EXPECT_NEAR(table[64].red, 128, 1);
     EXPECT_NEAR(table[191].red, 128, 1);
     for (std::size_t i = 1; i < 127; ++i) {
@@ -32,13 +32,13 @@ TEST(ColourTable, GoesStraightInBetween)
 
 TEST(ColourTable, WithTheMiddleAtEitherEndHasNoWayToOrFromIt)
 {
-    ColourRamp ramp{.start = {1.0F, 0.0F, 0.0F, 1.0F},
-                    .middle = {0.0F, 1.0F, 0.0F, 1.0F},
-                    .end = {0.0F, 0.0F, 1.0F, 1.0F},
-                    .middle_at = 0.0F};
+    ColourRamp ramp{.start = {1.0f, 0.0f, 0.0f, 1.0f},
+                    .middle = {0.0f, 1.0f, 0.0f, 1.0f},
+                    .end = {0.0f, 0.0f, 1.0f, 1.0f},
+                    .middle_at = 0.0f};
     EXPECT_EQ(colour_table(ramp).front(), (Rgba{0, 255, 0, 255}));
     EXPECT_EQ(colour_table(ramp).back(), (Rgba{0, 0, 255, 255}));
-    ramp.middle_at = 1.0F;
+    ramp.middle_at = 1.0f;
     EXPECT_EQ(colour_table(ramp).front(), (Rgba{255, 0, 0, 255}));
     EXPECT_EQ(colour_table(ramp).back(), (Rgba{0, 255, 0, 255}));
 }

@@ -11,12 +11,12 @@
 namespace particles {
 namespace {
 
-constexpr double g = 9.81;
-constexpr double exact = 1e-12;
+constexpr double GRAVITY = 9.81;
+constexpr double EXACT = 1e-12;
 
 double fall_time(double height)
 {
-    return std::sqrt(2.0 * height / g);
+    return std::sqrt(2.0 * height / GRAVITY);
 }
 
 std::optional<double> contact(double distance, double speed, double acceleration, double k, double limit)
@@ -26,32 +26,34 @@ std::optional<double> contact(double distance, double speed, double acceleration
 
 TEST(TimeOfContact, OfAFallIsTheRootOfTheParabola)
 {
-    EXPECT_NEAR(contact(2.0, 0.0, -g, 0.0, 5.0).value(), fall_time(2.0), exact);
-    EXPECT_NEAR(contact(2.0, 3.0, -g, 0.0, 5.0).value(), (3.0 + std::sqrt(9.0 + 4.0 * g)) / g, exact);
-    EXPECT_NEAR(contact(2.0, -3.0, -g, 0.0, 5.0).value(), (-3.0 + std::sqrt(9.0 + 4.0 * g)) / g, exact);
-    EXPECT_NEAR(contact(2.0, -4.0, 0.0, 0.0, 5.0).value(), 0.5, exact);
+    EXPECT_NEAR(contact(2.0, 0.0, -GRAVITY, 0.0, 5.0).value(), fall_time(2.0), EXACT);
+    EXPECT_NEAR(contact(2.0, 3.0, -GRAVITY, 0.0, 5.0).value(),
+                (3.0 + std::sqrt(9.0 + 4.0 * GRAVITY)) / GRAVITY, EXACT);
+    EXPECT_NEAR(contact(2.0, -3.0, -GRAVITY, 0.0, 5.0).value(),
+                (-3.0 + std::sqrt(9.0 + 4.0 * GRAVITY)) / GRAVITY, EXACT);
+    EXPECT_NEAR(contact(2.0, -4.0, 0.0, 0.0, 5.0).value(), 0.5, EXACT);
 }
 
 TEST(TimeOfContact, IsNothingBeforeOrWithoutContact)
 {
-    EXPECT_FALSE(contact(2.0, 0.0, -g, 0.0, fall_time(2.0) - 1e-9));
-    EXPECT_TRUE(contact(2.0, 0.0, -g, 0.0, fall_time(2.0) + 1e-9));
+    EXPECT_FALSE(contact(2.0, 0.0, -GRAVITY, 0.0, fall_time(2.0) - 1e-9));
+    EXPECT_TRUE(contact(2.0, 0.0, -GRAVITY, 0.0, fall_time(2.0) + 1e-9));
     EXPECT_FALSE(contact(2.0, 1.0, 0.0, 0.0, 60.0));
     EXPECT_FALSE(contact(2.0, 0.0, 0.0, 0.3, 60.0));
-    EXPECT_FALSE(contact(2.0, 1.0, g, 0.3, 60.0));
+    EXPECT_FALSE(contact(2.0, 1.0, GRAVITY, 0.3, 60.0));
     EXPECT_FALSE(contact(2.0, -1.0, 0.0, 1.0, 60.0)) << "air stops it after one metre";
 }
 
 TEST(TimeOfContact, LeavingThePlaneIsNone)
 {
-    EXPECT_NEAR(contact(0.0, 3.0, -g, 0.0, 5.0).value(), 6.0 / g, exact);
-    EXPECT_FALSE(contact(0.0, 3.0, -g, 0.0, 0.5));
+    EXPECT_NEAR(contact(0.0, 3.0, -GRAVITY, 0.0, 5.0).value(), 6.0 / GRAVITY, EXACT);
+    EXPECT_FALSE(contact(0.0, 3.0, -GRAVITY, 0.0, 0.5));
     EXPECT_FALSE(contact(0.0, 3.0, 0.0, 0.0, 60.0));
 }
 
 TEST(TimeOfContact, IsFoundWhereItTurnsRoundBehindThePlane)
 {
-    EXPECT_NEAR(contact(0.1, -2.0, 10.0, 0.0, 5.0).value(), (2.0 - std::sqrt(2.0)) / 10.0, exact);
+    EXPECT_NEAR(contact(0.1, -2.0, 10.0, 0.0, 5.0).value(), (2.0 - std::sqrt(2.0)) / 10.0, EXACT);
     EXPECT_FALSE(contact(0.21, -2.0, 10.0, 0.0, 5.0)) << "turns round before";
     EXPECT_TRUE(contact(0.1, -2.0, 10.0, 0.7, 5.0));
     EXPECT_FALSE(contact(0.21, -2.0, 10.0, 0.7, 5.0));
@@ -87,7 +89,7 @@ TEST(TimeOfContact, InAirIsWhereTheHeightVanishesForTheFirstTime)
     EXPECT_LT(contacts, 16'000);
 }
 
-const Forces earth{{0.0, -g, 0.0}, 0.0};
+const Forces earth{{0.0, -GRAVITY, 0.0}, 0.0};
 
 Wall floor_with(double restitution, double friction = 0.0)
 {
@@ -104,11 +106,11 @@ TEST(FlyAmongWalls, BouncesAtTheTimeOfContact)
     Motion ball{{1.0, 2.0, 3.0}, {4.0, 0.0, 0.0}};
     const double after = 0.3;
     EXPECT_EQ(fly(ball, earth, {floor_with(0.5)}, fall_time(2.0) + after), Fate::moves);
-    const double speed = 0.5 * std::sqrt(2.0 * g * 2.0);
-    EXPECT_NEAR(ball.position.x, 1.0 + 4.0 * (fall_time(2.0) + after), exact);
-    EXPECT_NEAR(ball.position.y, speed * after - g * after * after / 2.0, exact);
-    EXPECT_NEAR(ball.velocity.x, 4.0, exact);
-    EXPECT_NEAR(ball.velocity.y, speed - g * after, exact);
+    const double speed = 0.5 * std::sqrt(2.0 * GRAVITY * 2.0);
+    EXPECT_NEAR(ball.position.x, 1.0 + 4.0 * (fall_time(2.0) + after), EXACT);
+    EXPECT_NEAR(ball.position.y, speed * after - GRAVITY * after * after / 2.0, EXACT);
+    EXPECT_NEAR(ball.velocity.x, 4.0, EXACT);
+    EXPECT_NEAR(ball.velocity.y, speed - GRAVITY * after, EXACT);
 }
 
 TEST(FlyAmongWalls, BouncesAsOftenAsThereIsTime)
@@ -124,13 +126,13 @@ TEST(FlyAmongWalls, ABounceTakesCoulombsFrictionFromTheSpeedAlong)
 {
     Motion fast{{0.0, 0.0, 0.0}, {5.0, -2.0, 0.0}};
     fly(fast, {}, {floor_with(0.5, 0.3)}, 0.0);
-    EXPECT_NEAR(fast.velocity.x, 5.0 - 0.3 * 1.5 * 2.0, exact);
-    EXPECT_NEAR(fast.velocity.y, 1.0, exact);
+    EXPECT_NEAR(fast.velocity.x, 5.0 - 0.3 * 1.5 * 2.0, EXACT);
+    EXPECT_NEAR(fast.velocity.y, 1.0, EXACT);
     Motion slow{{0.0, 0.0, 0.0}, {0.5, -2.0, 0.5}};
     fly(slow, {}, {floor_with(0.5, 0.3)}, 0.0);
     EXPECT_EQ(slow.velocity.x, 0.0);
     EXPECT_EQ(slow.velocity.z, 0.0);
-    EXPECT_NEAR(slow.velocity.y, 1.0, exact);
+    EXPECT_NEAR(slow.velocity.y, 1.0, EXACT);
 }
 
 TEST(FlyAmongWalls, ComesToRestAfterBouncing)
@@ -143,14 +145,14 @@ TEST(FlyAmongWalls, ComesToRestAfterBouncing)
 
 TEST(FlyAmongWalls, SlidesToAStopAgainstFriction)
 {
-    const double stop_time = 3.0 / (0.5 * g);
+    const double stop_time = 3.0 / (0.5 * GRAVITY);
     Motion half_way{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}};
     fly(half_way, earth, {floor_with(0.5, 0.5)}, stop_time / 2.0);
-    EXPECT_NEAR(half_way.velocity.x, 1.5, exact);
-    EXPECT_NEAR(half_way.position.x, 0.75 * 9.0 / (2.0 * 0.5 * g), exact);
+    EXPECT_NEAR(half_way.velocity.x, 1.5, EXACT);
+    EXPECT_NEAR(half_way.position.x, 0.75 * 9.0 / (2.0 * 0.5 * GRAVITY), EXACT);
     Motion to_the_end{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}};
     fly(to_the_end, earth, {floor_with(0.5, 0.5)}, 10.0);
-    EXPECT_NEAR(to_the_end.position.x, 9.0 / (2.0 * 0.5 * g), exact);
+    EXPECT_NEAR(to_the_end.position.x, 9.0 / (2.0 * 0.5 * GRAVITY), EXACT);
     EXPECT_EQ(to_the_end.velocity, glm::dvec3(0.0));
 }
 
@@ -165,7 +167,7 @@ TEST(FlyAmongWalls, OnASlopeFrictionHoldsOrSlowsIt)
     slope.friction = std::tan(angle) * 0.5;
     Motion slides{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
     fly(slides, earth, {slope}, 2.0);
-    const double acceleration = g * (std::sin(angle) - slope.friction * std::cos(angle));
+    const double acceleration = GRAVITY * (std::sin(angle) - slope.friction * std::cos(angle));
     EXPECT_NEAR(glm::length(slides.velocity), acceleration * 2.0, 1e-9);
     EXPECT_NEAR(glm::length(slides.position), acceleration * 2.0, 1e-9);
 }
@@ -175,9 +177,9 @@ TEST(FlyAmongWalls, SlidesIntoAWallAndBouncesOffIt)
     const Wall right{.normal = {-1.0, 0.0, 0.0}, .offset = -2.0, .restitution = 0.5};
     Motion ball{{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}};
     fly(ball, earth, {floor_with(0.5), right}, 1.0);
-    EXPECT_NEAR(ball.position.x, 2.0 - 0.5 * 2.0, exact);
-    EXPECT_NEAR(ball.position.y, 0.0, exact);
-    EXPECT_NEAR(ball.velocity.x, -2.0, exact);
+    EXPECT_NEAR(ball.position.x, 2.0 - 0.5 * 2.0, EXACT);
+    EXPECT_NEAR(ball.position.y, 0.0, EXACT);
+    EXPECT_NEAR(ball.velocity.x, -2.0, EXACT);
 }
 
 TEST(FlyAmongWalls, WindLiftsWhatRests)
@@ -185,7 +187,7 @@ TEST(FlyAmongWalls, WindLiftsWhatRests)
     Motion leaf{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
     const Forces updraught{{0.0, 2.0, 0.0}, 1.0};
     fly(leaf, updraught, {floor_with(0.5, 1.0)}, 1.0);
-    EXPECT_NEAR(leaf.position.y, 2.0 * flight(1.0, 1.0).fall, exact);
+    EXPECT_NEAR(leaf.position.y, 2.0 * flight(1.0, 1.0).fall, EXACT);
 }
 
 TEST(FlyAmongWalls, SticksWhereItTouches)
@@ -195,8 +197,8 @@ TEST(FlyAmongWalls, SticksWhereItTouches)
     Motion drop{{0.0, 2.0, 0.0}, {3.0, 0.0, 0.0}};
     EXPECT_EQ(fly(drop, earth, {wall}, fall_time(2.0) * 0.9), Fate::moves);
     EXPECT_EQ(fly(drop, earth, {wall}, 1.0), Fate::sticks);
-    EXPECT_NEAR(drop.position.x, 3.0 * fall_time(2.0), exact);
-    EXPECT_NEAR(drop.position.y, 0.0, exact);
+    EXPECT_NEAR(drop.position.x, 3.0 * fall_time(2.0), EXACT);
+    EXPECT_NEAR(drop.position.y, 0.0, EXACT);
     EXPECT_EQ(drop.velocity, glm::dvec3(0.0));
 }
 
@@ -205,8 +207,8 @@ TEST(FlyAmongWalls, IsRecycledAtAContactOnly)
     Wall wall = floor_with(0.5);
     wall.response = ContactResponse::recycle;
     Motion drop{{0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}};
-    EXPECT_EQ(fly(drop, earth, {wall}, 5.9 / g), Fate::moves) << "begins on the plane, leaving it";
-    EXPECT_EQ(fly(drop, earth, {wall}, 0.2 / g), Fate::is_recycled);
+    EXPECT_EQ(fly(drop, earth, {wall}, 5.9 / GRAVITY), Fate::moves) << "begins on the plane, leaving it";
+    EXPECT_EQ(fly(drop, earth, {wall}, 0.2 / GRAVITY), Fate::is_recycled);
 }
 
 TEST(FlyAmongWalls, WhatIsBehindAWallIsPutOnIt)
@@ -266,10 +268,10 @@ TEST(FlyAmongWalls, EnergyNeverGrows)
     Random random(4, 0);
     for (int i = 0; i < 2'000; ++i) {
         const std::vector<Wall> walls = random_box(random);
-        const Forces forces{{0.0, -g, 0.0}, i % 2 == 0 ? 0.0 : 0.5};
+        const Forces forces{{0.0, -GRAVITY, 0.0}, i % 2 == 0 ? 0.0 : 0.5};
         Motion ball{random.in_ball() * 0.5, random.in_ball() * 10.0};
         const auto energy = [&] {
-            return glm::dot(ball.velocity, ball.velocity) / 2.0 + g * ball.position.y;
+            return glm::dot(ball.velocity, ball.velocity) / 2.0 + GRAVITY * ball.position.y;
         };
         double before = energy();
         for (int step = 0; step < 50; ++step) {
@@ -288,7 +290,7 @@ TEST(FlyAmongWalls, ManyShortFlightsAreOneLongFlight)
         // Friction goes with the direction at the beginning of a slide, so nothing pushes sideways then.
         const bool has_friction = i % 3 == 0;
         const std::vector<Wall> walls{floor_with(0.6, has_friction ? 0.2 : 0.0)};
-        const Forces forces{{has_friction ? 0.0 : random.uniform(), -g, 0.0}, i % 2 == 0 ? 0.0 : 0.8};
+        const Forces forces{{has_friction ? 0.0 : random.uniform(), -GRAVITY, 0.0}, i % 2 == 0 ? 0.0 : 0.8};
         const Motion begin{{0.0, random.uniform() * 2.0, 0.0}, random.in_ball() * 5.0};
         Motion at_once = begin;
         Motion in_parts = begin;
@@ -304,11 +306,11 @@ TEST(FlyAmongWalls, ManyShortFlightsAreOneLongFlight)
 
 TEST(WallOf, BringsTheNormalToLengthOne)
 {
-    const Wall wall = wall_of({.normal = {0.0F, 0.0F, -4.0F},
-                               .point = {1.0F, 2.0F, 3.0F},
+    const Wall wall = wall_of({.normal = {0.0f, 0.0f, -4.0f},
+                               .point = {1.0f, 2.0f, 3.0f},
                                .response = ContactResponse::stick,
-                               .restitution = 0.25F,
-                               .friction = 0.5F});
+                               .restitution = 0.25f,
+                               .friction = 0.5f});
     EXPECT_EQ(wall.normal, glm::dvec3(0.0, 0.0, -1.0));
     EXPECT_EQ(wall.offset, -3.0);
     EXPECT_EQ(wall.response, ContactResponse::stick);

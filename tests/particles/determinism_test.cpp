@@ -18,10 +18,10 @@ ParticleSettings sparking()
     settings.life = 1.1;
     settings.life_variance = 0.5;
     settings.velocity_variance = 10.0;
-    settings.gravity = {0.0F, -9.81F, 0.0F};
+    settings.gravity = {0.0f, -9.81f, 0.0f};
     settings.air_resistance = 1.5;
-    settings.planes[0].restitution = 0.45F;
-    settings.planes[0].friction = 0.3F;
+    settings.planes[0].restitution = 0.45f;
+    settings.planes[0].friction = 0.3f;
     settings.plane_count = 1;
     return settings;
 }
@@ -33,12 +33,12 @@ ParticleSettings painting()
     settings.maximum_particles = 700;
     settings.release_count = 10;
     settings.life = 3.0;
-    settings.velocity = {0.0F, 5.0F, 0.0F};
+    settings.velocity = {0.0f, 5.0f, 0.0f};
     settings.velocity_variance = 2.5;
-    settings.wind = {0.3F, 0.0F, -20.0F};
+    settings.wind = {0.3f, 0.0f, -20.0f};
     settings.air_resistance = 0.8;
     settings.planes[0] = {
-        .normal = {0.3F, 0.2F, 1.0F}, .point = {0.0F, 0.0F, -5.0F}, .response = ContactResponse::stick};
+        .normal = {0.3f, 0.2f, 1.0f}, .point = {0.0f, 0.0f, -5.0f}, .response = ContactResponse::stick};
     settings.plane_count = 1;
     return settings;
 }
@@ -51,10 +51,10 @@ ParticleSettings raining()
     settings.release_count = 7;
     settings.release_interval = 0.013;
     settings.life = 2.0;
-    settings.position = {0.0F, 7.0F, 0.0F};
-    settings.position_variance = {4.0F, 0.5F, 4.0F};
+    settings.position = {0.0f, 7.0f, 0.0f};
+    settings.position_variance = {4.0f, 0.5f, 4.0f};
     settings.velocity_variance = 0.5;
-    settings.gravity = {0.1F, -9.81F, 0.0F};
+    settings.gravity = {0.1f, -9.81f, 0.0f};
     settings.planes[0].response = ContactResponse::recycle;
     settings.plane_count = 1;
     return settings;
@@ -68,22 +68,22 @@ ParticleSettings boxed_in()
     settings.release_count = 40;
     settings.life = 5.0;
     settings.life_variance = 0.9;
-    settings.position = {0.0F, 1.0F, 0.0F};
-    settings.position_variance = {0.5F, 0.25F, 1.0F};
+    settings.position = {0.0f, 1.0f, 0.0f};
+    settings.position_variance = {0.5f, 0.25f, 1.0f};
     settings.velocity_variance = 8.0;
-    settings.gravity = {0.0F, -9.81F, 0.0F};
-    settings.wind = {1.0F, -0.5F, 2.0F};
+    settings.gravity = {0.0f, -9.81f, 0.0f};
+    settings.wind = {1.0f, -0.5f, 2.0f};
     settings.air_resistance = 0.37;
     for (std::size_t i = 0; i < settings.planes.size(); ++i) {
         CollisionPlane& plane = settings.planes[i];
-        const float side = i % 2 == 0 ? 1.0F : -1.0F;
+        const float side = i % 2 == 0 ? 1.0f : -1.0f;
         const auto axis = static_cast<glm::length_t>(i / 2);
-        plane.normal = {0.1F, 0.07F, -0.03F};
+        plane.normal = {0.1f, 0.07f, -0.03f};
         plane.normal[axis] += side;
-        plane.point = {0.0F, 1.0F, 0.0F};
-        plane.point[axis] -= 3.0F * side;
-        plane.restitution = 0.8F;
-        plane.friction = 0.3F;
+        plane.point = {0.0f, 1.0f, 0.0f};
+        plane.point[axis] -= 3.0f * side;
+        plane.restitution = 0.8f;
+        plane.friction = 0.3f;
     }
     settings.plane_count = 6;
     return settings;
@@ -94,9 +94,9 @@ void play(ParticleSystem& system, int steps = 400)
 {
     for (int step = 0; step < steps; ++step) {
         if (step % 40 == 0) {
-            EXPECT_TRUE(system.burst(30, {0.5F, 1.25F, -2.0F}, {1.0F, 2.0F, 0.3F}));
+            EXPECT_TRUE(system.burst(30, {0.5f, 1.25f, -2.0f}, {1.0f, 2.0f, 0.3f}));
         }
-        const glm::vec3 position = system.settings().position + glm::vec3{0.001F, 0.0F, 0.0F};
+        const glm::vec3 position = system.settings().position + glm::vec3{0.001f, 0.0f, 0.0f};
         EXPECT_TRUE(system.set_source(position, system.settings().velocity));
         EXPECT_TRUE(system.step(0.001 * (1 + step % 50)));
     }
@@ -152,7 +152,7 @@ TEST(Determinism, ACopyGoesOnAsTheOriginalDoes)
     ParticleSystem original;
     ASSERT_EQ(original.configure(sparking()), "");
     play(original, 40);
-    original.burst(100, {0.0F, 1.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    original.burst(100, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
     original.step(0.01); // in the middle of the burst
     EXPECT_FALSE(original.emitter().bursts().empty());
     ParticleSystem copy = original;
@@ -186,7 +186,7 @@ TEST(Determinism, HashTellsAnyChangeOfAnyQuantity)
     later.step(1e-6);
     EXPECT_NE(hash(later), before);
     ParticleSystem bursting = system;
-    bursting.burst(1, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    bursting.burst(1, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
     EXPECT_NE(hash(bursting), before);
 }
 

@@ -6,7 +6,7 @@
 namespace particles {
 namespace {
 
-constexpr double tolerance = 1e-12;
+constexpr double TOLERANCE = 1e-12;
 
 /// Notes at what time each release leaves.
 struct Log
@@ -38,7 +38,7 @@ TEST(Emitter, ReleasesAtOnceAndThenAtEveryInterval)
         }
         ASSERT_GE(log.times.size(), 10u) << step;
         for (std::size_t i = 0; i < 10; ++i) {
-            EXPECT_NEAR(log.times[i], 0.05 * static_cast<double>(i), tolerance) << step;
+            EXPECT_NEAR(log.times[i], 0.05 * static_cast<double>(i), TOLERANCE) << step;
             EXPECT_EQ(log.counts[i], 7);
         }
     }
@@ -69,7 +69,7 @@ TEST(Emitter, ReleasesABurstOneByOneEvenlyWhateverTheSteps)
         }
         ASSERT_EQ(log.times.size(), 100u) << step;
         for (std::size_t i = 0; i < 100; ++i) {
-            EXPECT_NEAR(log.times[i], 0.0005 * static_cast<double>(i), tolerance);
+            EXPECT_NEAR(log.times[i], 0.0005 * static_cast<double>(i), TOLERANCE);
         }
         EXPECT_TRUE(emitter.bursts().empty());
     }
@@ -84,7 +84,7 @@ TEST(Emitter, LosesNoParticleOfTooManyBursts)
     for (int i = 0; i < 20; ++i) {
         emitter.begin({{}, 10, 0, 0.05, 0.0}, [&](const Release& rest) { at_once += rest.count; });
     }
-    EXPECT_EQ(at_once, 10 * (20 - static_cast<int>(Emitter::most_bursts)));
+    EXPECT_EQ(at_once, 10 * (20 - static_cast<int>(Emitter::MAX_BURSTS)));
     Log log;
     log.advance(emitter, settings, 1.0);
     EXPECT_EQ(log.times.size() + static_cast<std::size_t>(at_once), 200u);
@@ -96,15 +96,15 @@ TEST(Emitter, KeepsTheSourceOfEachBurst)
     settings.releases = false;
     Emitter emitter;
     const auto ignore = [](const Release&) {};
-    emitter.begin({{{1.0F, 0.0F, 0.0F}, {}}, 1, 0, 0.1, 0.0}, ignore);
-    emitter.begin({{{2.0F, 0.0F, 0.0F}, {}}, 3, 0, 0.1, 0.0}, ignore);
-    emitter.begin({{{3.0F, 0.0F, 0.0F}, {}}, 1, 0, 0.1, 0.0}, ignore);
+    emitter.begin({{{1.0f, 0.0f, 0.0f}, {}}, 1, 0, 0.1, 0.0}, ignore);
+    emitter.begin({{{2.0f, 0.0f, 0.0f}, {}}, 3, 0, 0.1, 0.0}, ignore);
+    emitter.begin({{{3.0f, 0.0f, 0.0f}, {}}, 1, 0, 0.1, 0.0}, ignore);
     std::vector<float> sources;
     for (int i = 0; i < 4; ++i) {
         emitter.advance(settings, 0.03,
                         [&](const Release& release) { sources.push_back(release.source.position.x); });
     }
-    EXPECT_EQ(sources, (std::vector<float>{1.0F, 2.0F, 3.0F, 2.0F, 2.0F}));
+    EXPECT_EQ(sources, (std::vector<float>{1.0f, 2.0f, 3.0f, 2.0f, 2.0f}));
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 namespace particles {
 namespace {
 
-constexpr double tiny = 4e-15; // a few roundings
+constexpr double TINY = 4e-15; // a few roundings
 
 TEST(Flight, WithoutAirIsTheParabola)
 {
@@ -26,14 +26,14 @@ TEST(Flight, WithAirIsTheSolutionOfTheEquationOfMotion)
             const Flight f = flight(k, t);
             const double y = k * t;
             const double reach = -std::expm1(-y) / k;
-            EXPECT_NEAR(f.keep, std::exp(-y), tiny) << k << " " << t;
-            EXPECT_NEAR(f.reach, reach, tiny * reach) << k << " " << t;
+            EXPECT_NEAR(f.keep, std::exp(-y), TINY) << k << " " << t;
+            EXPECT_NEAR(f.reach, reach, TINY * reach) << k << " " << t;
             if (y > 0.1) { // below, this formula has too few digits itself
                 const double fall = (t - reach) / k;
                 EXPECT_NEAR(f.fall, fall, 2e-13 * fall) << k << " " << t;
             } else {
                 const double series = t * t * (0.5 - y / 6.0 + y * y / 24.0 - y * y * y / 120.0);
-                EXPECT_NEAR(f.fall, series, (tiny + y * y * y * y / 720.0 * 2.2) * series) << k << " " << t;
+                EXPECT_NEAR(f.fall, series, (TINY + y * y * y * y / 720.0 * 2.2) * series) << k << " " << t;
             }
         }
     }
@@ -45,9 +45,9 @@ TEST(Flight, HasNoJumpWhereDoublingBegins)
         const double t = std::ldexp(1.0 / 32.0, doublings);
         const Flight below = flight(1.0, t);
         const Flight above = flight(1.0, std::nextafter(t, 100.0));
-        EXPECT_NEAR(below.keep, above.keep, tiny * below.keep * t * 100.0);
-        EXPECT_NEAR(below.reach, above.reach, tiny * below.reach * 100.0);
-        EXPECT_NEAR(below.fall, above.fall, tiny * below.fall * 100.0);
+        EXPECT_NEAR(below.keep, above.keep, TINY * below.keep * t * 100.0);
+        EXPECT_NEAR(below.reach, above.reach, TINY * below.reach * 100.0);
+        EXPECT_NEAR(below.fall, above.fall, TINY * below.fall * 100.0);
     }
 }
 
@@ -57,9 +57,9 @@ TEST(Flight, OfTwoTimesInARowIsTheFlightOfTheirSum)
     const Flight first = flight(k, 0.3);
     const Flight second = flight(k, 0.5);
     const Flight both = flight(k, 0.8);
-    EXPECT_NEAR(first.keep * second.keep, both.keep, tiny);
-    EXPECT_NEAR(first.reach + first.keep * second.reach, both.reach, tiny);
-    EXPECT_NEAR(first.fall + first.reach * second.reach + second.fall, both.fall, tiny);
+    EXPECT_NEAR(first.keep * second.keep, both.keep, TINY);
+    EXPECT_NEAR(first.reach + first.keep * second.reach, both.reach, TINY);
+    EXPECT_NEAR(first.fall + first.reach * second.reach + second.fall, both.fall, TINY);
 }
 
 TEST(Flight, OfHugeTimesAndResistancesIsFinite)

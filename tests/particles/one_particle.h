@@ -8,7 +8,7 @@
 namespace particles {
 
 /// A frame of the display, in seconds.
-inline constexpr double tick = 1.0 / 60.0;
+inline constexpr double TICK = 1.0 / 60.0;
 
 /// One particle that can be told where it must be.
 inline ParticleSettings one_particle()

@@ -15,18 +15,18 @@ ParticleSettings extreme()
     ParticleSettings settings;
     settings.maximum_particles = 300;
     settings.release_count = 50;
-    settings.life = longest_life;
+    settings.life = MAX_LIFE;
     settings.life_variance = 1.0;
-    settings.position = {10'000.0F, -10'000.0F, 10'000.0F};
-    settings.position_variance = {10'000.0F, 0.0F, 10'000.0F};
-    settings.velocity = {-1000.0F, 1000.0F, 1000.0F};
+    settings.position = {10'000.0f, -10'000.0f, 10'000.0f};
+    settings.position_variance = {10'000.0f, 0.0f, 10'000.0f};
+    settings.velocity = {-1000.0f, 1000.0f, 1000.0f};
     settings.velocity_variance = 1000.0;
-    settings.gravity = {1000.0F, -1000.0F, 1000.0F};
-    settings.wind = {1000.0F, 1000.0F, -1000.0F};
+    settings.gravity = {1000.0f, -1000.0f, 1000.0f};
+    settings.wind = {1000.0f, 1000.0f, -1000.0f};
     settings.planes = {
-        CollisionPlane{.normal = {1000.0F, 1000.0F, 0.0F}, .point = {10'000.0F, 0.0F, 0.0F}},
-        CollisionPlane{.normal = {-0.001F, 0.0F, 0.0F}, .restitution = 1.0F, .friction = 10.0F},
-        CollisionPlane{.normal = {0.0F, -1.0F, 1.0F}, .restitution = 0.0F}};
+        CollisionPlane{.normal = {1000.0f, 1000.0f, 0.0f}, .point = {10'000.0f, 0.0f, 0.0f}},
+        CollisionPlane{.normal = {-0.001f, 0.0f, 0.0f}, .restitution = 1.0f, .friction = 10.0f},
+        CollisionPlane{.normal = {0.0f, -1.0f, 1.0f}, .restitution = 0.0f}};
     settings.plane_count = 3;
     return settings;
 }
@@ -57,7 +57,7 @@ TEST(ParticleSystem, IsFiniteAfterAnyStep)
                             1e-20,
                             1e-9,
                             1e-4,
-                            tick,
+                            TICK,
                             0.3,
                             1.0,
                             7.0,
@@ -111,11 +111,11 @@ TEST(ParticleSystem, RefusesASourceThatIsNone)
     ParticleSystem system = configured(preset(PresetName::sparks).settings);
     const ParticleSystem before = system;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_FALSE(system.burst(100, {0.0F, nan, 0.0F}, {0.0F, 0.0F, 0.0F}));
-    EXPECT_FALSE(system.burst(100, {0.0F, 0.0F, 0.0F}, {1e30F, 0.0F, 0.0F}));
-    EXPECT_FALSE(system.burst(-1, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}));
-    EXPECT_FALSE(system.set_source({nan, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}));
-    EXPECT_TRUE(system.burst(0, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}));
+    EXPECT_FALSE(system.burst(100, {0.0f, nan, 0.0f}, {0.0f, 0.0f, 0.0f}));
+    EXPECT_FALSE(system.burst(100, {0.0f, 0.0f, 0.0f}, {1e30F, 0.0f, 0.0f}));
+    EXPECT_FALSE(system.burst(-1, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}));
+    EXPECT_FALSE(system.set_source({nan, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}));
+    EXPECT_TRUE(system.burst(0, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}));
     EXPECT_TRUE(system == before);
 }
 
@@ -134,7 +134,7 @@ TEST(ParticleSystem, RefusesSettingsThatCannotBeAndStaysAsItWas)
 TEST(ParticleSystem, WithoutPlacesOrWithoutLifeShowsNothing)
 {
     ParticleSystem none;
-    none.burst(10, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    none.burst(10, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
     EXPECT_TRUE(none.step(1.0));
     EXPECT_EQ(none.live(), 0u);
     EXPECT_EQ(none.capacity(), 0u);
@@ -143,7 +143,7 @@ TEST(ParticleSystem, WithoutPlacesOrWithoutLifeShowsNothing)
     ParticleSettings settings;
     settings.life = 0.0;
     ParticleSystem lifeless = configured(settings);
-    lifeless.burst(10, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    lifeless.burst(10, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
     EXPECT_TRUE(lifeless.step(1.0));
     EXPECT_EQ(lifeless.live(), 0u);
     EXPECT_EQ(lifeless.counts().refused, 0u);
@@ -154,14 +154,14 @@ TEST(ParticleSystem, WithoutPlacesOrWithoutLifeShowsNothing)
 TEST(ParticleSystem, HoldsAMillionParticles)
 {
     ParticleSettings settings = preset(PresetName::bounce).settings;
-    settings.maximum_particles = most_places;
-    settings.release_count = most_places;
+    settings.maximum_particles = MAX_PARTICLES;
+    settings.release_count = MAX_PARTICLES;
     settings.release_interval = 1.0;
     ParticleSystem system = configured(settings);
-    system.step(tick);
-    EXPECT_EQ(system.live(), static_cast<std::size_t>(most_places));
+    system.step(TICK);
+    EXPECT_EQ(system.live(), static_cast<std::size_t>(MAX_PARTICLES));
     EXPECT_EQ(system.free(), 0u);
-    system.step(tick);
+    system.step(TICK);
     expect_finite(system);
     system.set_releasing(false);
     system.step(5.0);

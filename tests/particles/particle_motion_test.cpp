@@ -10,10 +10,10 @@ namespace {
 TEST(ParticleSystem, FallsAsGalileoSays)
 {
     ParticleSettings settings = one_particle();
-    settings.gravity = {1.0F, -9.8125F, 0.5F};
+    settings.gravity = {1.0f, -9.8125f, 0.5f};
     for (const int steps : {1, 2, 60, 1000}) {
         ParticleSystem system = configured(settings);
-        system.burst(1, {1.0F, 2.0F, 3.0F}, {4.0F, 5.0F, -6.0F});
+        system.burst(1, {1.0f, 2.0f, 3.0f}, {4.0f, 5.0f, -6.0f});
         for (int i = 0; i < steps; ++i) {
             system.step(1.5 / steps);
         }
@@ -30,8 +30,8 @@ TEST(ParticleSystem, FallsAsGalileoSays)
 TEST(ParticleSystem, IsSlowedByTheAirAndCarriedByTheWind)
 {
     ParticleSettings settings = one_particle();
-    settings.gravity = {0.0F, -9.8125F, 0.0F};
-    settings.wind = {3.0F, 0.0F, 1.0F};
+    settings.gravity = {0.0f, -9.8125f, 0.0f};
+    settings.wind = {3.0f, 0.0f, 1.0f};
     settings.air_resistance = 0.75;
     const double k = 0.75;
     const double t = 1.5;
@@ -55,10 +55,10 @@ TEST(ParticleSystem, IsSlowedByTheAirAndCarriedByTheWind)
 TEST(ParticleSystem, InTheEndGoesWithTheWind)
 {
     ParticleSettings settings = one_particle();
-    settings.wind = {3.0F, 0.0F, 1.0F};
+    settings.wind = {3.0f, 0.0f, 1.0f};
     settings.air_resistance = 5.0;
     ParticleSystem system = configured(settings);
-    system.burst(1, {0.0F, 0.0F, 0.0F}, {0.0F, 50.0F, 0.0F});
+    system.burst(1, {0.0f, 0.0f, 0.0f}, {0.0f, 50.0f, 0.0f});
     system.step(10.0);
     expect_near(system.view().velocity(0), {3.0, 0.0, 1.0}, 1e-5);
 }
@@ -97,11 +97,11 @@ TEST(ParticleSystem, WithALongStepIsWhereItIsWithShortOnes)
     settings.life_variance = 0.5;
     ParticleSystem at_once = configured(settings);
     ParticleSystem in_parts = configured(settings);
-    at_once.burst(50, {0.0F, 3.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
-    in_parts.burst(50, {0.0F, 3.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    at_once.burst(50, {0.0f, 3.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
+    in_parts.burst(50, {0.0f, 3.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
     at_once.step(2.0);
     for (int i = 0; i < 120; ++i) {
-        in_parts.step(tick);
+        in_parts.step(TICK);
     }
     ASSERT_EQ(at_once.live(), in_parts.live());
     EXPECT_EQ(at_once.counts(), in_parts.counts());

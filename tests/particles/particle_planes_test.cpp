@@ -45,13 +45,13 @@ TEST(ParticleSystem, EnergyOfBouncingParticlesNeverGrows)
     settings.life = 60.0;
     settings.maximum_particles = 200;
     for (CollisionPlane& plane : settings.planes) {
-        plane.restitution = 1.0F;
-        plane.friction = 0.0F;
+        plane.restitution = 1.0f;
+        plane.friction = 0.0f;
     }
-    for (const float restitution : {1.0F, 0.7F}) {
+    for (const float restitution : {1.0f, 0.7f}) {
         settings.planes[0].restitution = restitution;
         ParticleSystem system = configured(settings);
-        system.burst(200, {0.0F, 1.0F, 0.0F}, {0.0F, 0.0F, 0.0F});
+        system.burst(200, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
         system.step(0.1);
         const auto energy = [&](std::size_t i) {
             const glm::dvec3 velocity{system.view().velocity(i)};
@@ -64,14 +64,14 @@ TEST(ParticleSystem, EnergyOfBouncingParticlesNeverGrows)
         }
         std::vector<double> before = first;
         for (int step = 0; step < 1000; ++step) {
-            system.step(tick);
+            system.step(TICK);
             for (std::size_t i = 0; i < system.live(); ++i) {
                 ASSERT_LE(energy(i), before[i] + 5e-5) << step; // rounding to float
                 before[i] = energy(i);
             }
         }
         for (std::size_t i = 0; i < system.live(); ++i) {
-            if (restitution == 1.0F) {
+            if (restitution == 1.0f) {
                 EXPECT_NEAR(before[i], first[i], 0.002 * first[i] + 0.01) << "nor is any lost without a loss";
             }
             EXPECT_LE(before[i], first[i] + 0.01);
@@ -91,8 +91,8 @@ TEST(ParticleSystem, StuckParticlesStayUntilTheirLifeIsOver)
     std::vector<glm::vec3> places;
     const ParticleView view = system.view();
     for (std::size_t i = 0; i < view.count(); ++i) {
-        if (view.z[i] == -5.0F) {
-            EXPECT_EQ(view.velocity(i), glm::vec3(0.0F));
+        if (view.z[i] == -5.0f) {
+            EXPECT_EQ(view.velocity(i), glm::vec3(0.0f));
             EXPECT_EQ(view.streak_end(i), view.position(i));
             places.push_back(view.position(i));
         }
@@ -111,15 +111,15 @@ TEST(ParticleSystem, RecyclingFreesThePlaceAtOnce)
     ParticleSettings settings = one_particle();
     settings.planes[0].response = ContactResponse::recycle;
     settings.plane_count = 1;
-    settings.gravity = {0.0F, -10.0F, 0.0F};
+    settings.gravity = {0.0f, -10.0f, 0.0f};
     ParticleSystem system = configured(settings);
-    system.burst(1, {0.0F, 0.8F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    system.burst(1, {0.0f, 0.8f, 0.0f}, {0.0f, 0.0f, 0.0f});
     system.step(0.39); // it takes 0.4 s
     EXPECT_EQ(system.live(), 1u);
     system.step(0.02);
     EXPECT_EQ(system.live(), 0u);
     EXPECT_EQ(system.counts().ended, 1u);
-    system.burst(1, {0.0F, 0.8F, 0.0F}, {0.0F, 0.0F, 0.0F});
+    system.burst(1, {0.0f, 0.8f, 0.0f}, {0.0f, 0.0f, 0.0f});
     system.step(0.5);
     EXPECT_EQ(system.counts().ended, 2u) << "recycled within the step that released it";
 }

@@ -13,14 +13,14 @@ namespace {
 Particle numbered(int number, float life)
 {
     const auto n = static_cast<float>(number);
-    return {{n, n + 0.125F, n + 0.25F}, {-n, -n - 0.125F, -n - 0.25F}, 0.0F, life};
+    return {{n, n + 0.125f, n + 0.25f}, {-n, -n - 0.125f, -n - 0.25f}, 0.0f, life};
 }
 
 bool is_whole(const Particle& particle)
 {
     const float n = particle.position.x;
-    return particle.position == glm::vec3{n, n + 0.125F, n + 0.25F} &&
-           particle.velocity == glm::vec3{-n, -n - 0.125F, -n - 0.25F};
+    return particle.position == glm::vec3{n, n + 0.125f, n + 0.25f} &&
+           particle.velocity == glm::vec3{-n, -n - 0.125f, -n - 0.25f};
 }
 
 std::vector<int> numbers(const ParticleStore& store, std::size_t begin, std::size_t end)
@@ -38,7 +38,7 @@ TEST(ParticleStore, HasNoPlacesAtFirst)
 {
     ParticleStore store;
     EXPECT_TRUE(store.is_full());
-    EXPECT_EQ(store.age_all(1.0F), 0u);
+    EXPECT_EQ(store.age_all(1.0f), 0u);
     EXPECT_TRUE(store.values(ParticleStore::x).empty());
     store.set_capacity(0);
     EXPECT_TRUE(store == ParticleStore{});
@@ -48,12 +48,12 @@ TEST(ParticleStore, GivesBackWhatWasPutIn)
 {
     ParticleStore store;
     store.set_capacity(3);
-    store.append(numbered(7, 2.5F));
-    store.append(numbered(8, 3.5F));
+    store.append(numbered(7, 2.5f));
+    store.append(numbered(8, 3.5f));
     EXPECT_FALSE(store.is_full());
-    EXPECT_EQ(store.get(1).life, 3.5F);
+    EXPECT_EQ(store.get(1).life, 3.5f);
     EXPECT_EQ(numbers(store, 0, 2), (std::vector<int>{7, 8}));
-    EXPECT_EQ(store.values(ParticleStore::velocity_z)[1], -8.25F);
+    EXPECT_EQ(store.values(ParticleStore::velocity_z)[1], -8.25f);
 }
 
 TEST(ParticleStore, KeepsExactlyTheLivingThroughAnythingThatHappensToThem)
@@ -112,9 +112,9 @@ TEST(ParticleStore, TakesOutThoseAndOnlyThoseWhoseLifeIsOver)
                 survivors.push_back(static_cast<int>(i));
             }
         }
-        EXPECT_EQ(store.age_all(1.0F) + store.age_all(1.0F), places - survivors.size());
+        EXPECT_EQ(store.age_all(1.0f) + store.age_all(1.0f), places - survivors.size());
         EXPECT_EQ(numbers(store, 0, store.live()), survivors);
-        EXPECT_EQ(store.age_all(10.0F), survivors.size());
+        EXPECT_EQ(store.age_all(10.0f), survivors.size());
         EXPECT_EQ(store.live(), 0u);
         EXPECT_EQ(store.stuck(), 0u);
     }
@@ -124,9 +124,9 @@ TEST(ParticleStore, EndsALifeAtItsAgeExactly)
 {
     ParticleStore store;
     store.set_capacity(1);
-    store.append(numbered(0, 0.5F));
-    EXPECT_EQ(store.age_all(0.25F), 0u);
-    EXPECT_EQ(store.age_all(0.25F), 1u);
+    store.append(numbered(0, 0.5f));
+    EXPECT_EQ(store.age_all(0.25f), 0u);
+    EXPECT_EQ(store.age_all(0.25f), 1u);
 }
 
 TEST(ParticleStore, KeepsThoseWhoFindAPlaceWhenTheirNumberChanges)
@@ -134,7 +134,7 @@ TEST(ParticleStore, KeepsThoseWhoFindAPlaceWhenTheirNumberChanges)
     ParticleStore store;
     store.set_capacity(4);
     for (int i = 0; i < 4; ++i) {
-        store.append(numbered(i, 9.0F));
+        store.append(numbered(i, 9.0f));
     }
     store.stick(0);
     store.stick(1);
@@ -153,9 +153,9 @@ TEST(ParticleStore, IsEqualWhateverUnusedPlacesHold)
     ParticleStore b;
     a.set_capacity(3);
     b.set_capacity(3);
-    a.append(numbered(1, 9.0F));
-    b.append(numbered(1, 9.0F));
-    a.append(numbered(2, 9.0F));
+    a.append(numbered(1, 9.0f));
+    b.append(numbered(1, 9.0f));
+    a.append(numbered(2, 9.0f));
     EXPECT_FALSE(a == b);
     a.remove(1);
     EXPECT_TRUE(a == b);

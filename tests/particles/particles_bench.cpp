@@ -17,8 +17,8 @@
 
 namespace {
 
-constexpr int living = 100'000;
-constexpr double tick = 1.0 / 60.0;
+constexpr int LIVING = 100'000;
+constexpr double TICK = 1.0 / 60.0;
 
 struct Durations
 {
@@ -29,7 +29,7 @@ struct Durations
 double time_step(particles::ParticleSystem& system)
 {
     const auto begin = std::chrono::steady_clock::now();
-    system.step(tick);
+    system.step(TICK);
     const auto end = std::chrono::steady_clock::now();
     return std::chrono::duration<double, std::nano>(end - begin).count();
 }
@@ -40,27 +40,27 @@ double (*volatile call_time_step)(particles::ParticleSystem&) = &time_step;
 
 Durations time_steps(particles::ParticleSystem& system)
 {
-    constexpr int warm_up = 60;
-    constexpr int count = 400;
+    constexpr int WARM_UP = 60;
+    constexpr int COUNT = 400;
     std::vector<double> nanoseconds;
-    for (int i = 0; i < warm_up + count; ++i) {
+    for (int i = 0; i < WARM_UP + COUNT; ++i) {
         const double duration = call_time_step(system);
-        if (i >= warm_up) {
+        if (i >= WARM_UP) {
             nanoseconds.push_back(duration);
         }
     }
     std::sort(nanoseconds.begin(), nanoseconds.end());
-    return {nanoseconds[count / 2], nanoseconds[0]};
+    return {nanoseconds[COUNT / 2], nanoseconds[0]};
 }
 
 particles::ParticleSettings full_of_sparks()
 {
     particles::ParticleSettings settings = particles::preset(particles::PresetName::sparks).settings;
-    settings.maximum_particles = living;
+    settings.maximum_particles = LIVING;
     settings.releases = true;
     settings.release_count = 1000;
     settings.release_interval = 0.001;
-    settings.position = {0.0F, 1.0F, 0.0F};
+    settings.position = {0.0f, 1.0f, 0.0f};
     return settings;
 }
 
@@ -84,7 +84,7 @@ int main()
     }
     const Durations bouncing = time_steps(sparks);
     const Durations flight = time_steps(flyers);
-    if (sparks.live() != living || flyers.live() != living) {
+    if (sparks.live() != LIVING || flyers.live() != LIVING) {
         return 1;
     }
     std::printf("{\"step_100k_ns\":%.0f,\"step_100k_least_ns\":%.0f,\"step_100k_flying_ns\":%.0f,"

@@ -11,8 +11,8 @@ namespace {
 
 using Change = std::function<void(ParticleSettings&)>;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
+constexpr float INFINITE = std::numeric_limits<float>::infinity();
 
 std::string verdict(const Change& change)
 {
@@ -39,8 +39,8 @@ template <class Set>
 Limits number(const char* sentence, Set set, std::vector<double> good, std::vector<double> bad)
 {
     Limits limits{sentence, {}, {}};
-    bad.insert(bad.end(),
-               {static_cast<double>(nan), static_cast<double>(infinity), -static_cast<double>(infinity)});
+    bad.insert(bad.end(), {static_cast<double>(NOT_A_NUMBER), static_cast<double>(INFINITE),
+                           -static_cast<double>(INFINITE)});
     for (const double value : good) {
         limits.good.push_back([=](ParticleSettings& s) { set(s, value); });
     }
@@ -141,9 +141,9 @@ std::vector<Limits> all_limits()
         vector("The normal of a collision plane must be between 0.001 and 1000 long.",
                [](S& s) -> glm::vec3& { return s.planes[0].normal; }, {-1000.0, 1000.0}, {1001.0}),
         {"The normal of a collision plane must be between 0.001 and 1000 long.",
-         {[](S& s) { s.planes[0].normal = {0.0F, 0.0F, -0.0011F}; }},
-         {[](S& s) { s.planes[0].normal = {0.0F, 0.0F, 0.0F}; },
-          [](S& s) { s.planes[0].normal = {1e-30F, 0.0F, 0.0F}; }}},
+         {[](S& s) { s.planes[0].normal = {0.0f, 0.0f, -0.0011f}; }},
+         {[](S& s) { s.planes[0].normal = {0.0f, 0.0f, 0.0f}; },
+          [](S& s) { s.planes[0].normal = {1e-30F, 0.0f, 0.0f}; }}},
         vector("The point of a collision plane must be from -10000 to 10000 metres along each axis.",
                [](S& s) -> glm::vec3& { return s.planes[0].point; }, {-10'000.0, 10'000.0}, {-10'001.0}),
         number("The restitution of a collision plane must be from 0 to 1.",
@@ -174,7 +174,7 @@ TEST(Validate, SaysInASentenceWhichSettingIsNotAndWhatItMustBe)
 TEST(Validate, LooksAtEveryPlaneInUseAndAtNoOther)
 {
     ParticleSettings settings;
-    settings.planes[5].restitution = 2.0F;
+    settings.planes[5].restitution = 2.0f;
     settings.plane_count = 5;
     EXPECT_EQ(validate(settings), "");
     settings.plane_count = 6;
@@ -183,23 +183,23 @@ TEST(Validate, LooksAtEveryPlaneInUseAndAtNoOther)
 
 TEST(IsValidSource, RefusesWhatIsTooFarTooFastOrNotANumber)
 {
-    EXPECT_TRUE(is_valid_source({1.0F, 10'000.0F, 0.0F}, {0.0F, 0.0F, -1000.0F}));
-    EXPECT_FALSE(is_valid_source({1.0F, 10'001.0F, 0.0F}, {0.0F, 0.0F, 0.0F}));
-    EXPECT_FALSE(is_valid_source({0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, -1001.0F}));
-    EXPECT_FALSE(is_valid_source({0.0F, nan, 0.0F}, {0.0F, 0.0F, 0.0F}));
-    EXPECT_FALSE(is_valid_source({0.0F, 0.0F, 0.0F}, {infinity, 0.0F, 0.0F}));
+    EXPECT_TRUE(is_valid_source({1.0f, 10'000.0f, 0.0f}, {0.0f, 0.0f, -1000.0f}));
+    EXPECT_FALSE(is_valid_source({1.0f, 10'001.0f, 0.0f}, {0.0f, 0.0f, 0.0f}));
+    EXPECT_FALSE(is_valid_source({0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1001.0f}));
+    EXPECT_FALSE(is_valid_source({0.0f, NOT_A_NUMBER, 0.0f}, {0.0f, 0.0f, 0.0f}));
+    EXPECT_FALSE(is_valid_source({0.0f, 0.0f, 0.0f}, {INFINITE, 0.0f, 0.0f}));
 }
 
 TEST(Moved, TakesThePlanesAlong)
 {
     ParticleSettings settings;
     settings.plane_count = 2;
-    settings.position = {1.0F, 2.0F, 3.0F};
-    settings.planes[1].point = {0.0F, 5.0F, 0.0F};
-    const ParticleSettings there = moved(settings, {10.0F, 20.0F, 30.0F});
-    EXPECT_EQ(there.position, (glm::vec3{11.0F, 22.0F, 33.0F}));
-    EXPECT_EQ(there.planes[0].point, (glm::vec3{10.0F, 20.0F, 30.0F}));
-    EXPECT_EQ(there.planes[1].point, (glm::vec3{10.0F, 25.0F, 30.0F}));
+    settings.position = {1.0f, 2.0f, 3.0f};
+    settings.planes[1].point = {0.0f, 5.0f, 0.0f};
+    const ParticleSettings there = moved(settings, {10.0f, 20.0f, 30.0f});
+    EXPECT_EQ(there.position, (glm::vec3{11.0f, 22.0f, 33.0f}));
+    EXPECT_EQ(there.planes[0].point, (glm::vec3{10.0f, 20.0f, 30.0f}));
+    EXPECT_EQ(there.planes[1].point, (glm::vec3{10.0f, 25.0f, 30.0f}));
     EXPECT_EQ(there.velocity, settings.velocity);
 }
 

@@ -67,8 +67,9 @@ TEST_F(Program, ShowsATankThatIsBroughtAndOursAgain)
     const auto ours = scene::read_pixels(WIDTH, HEIGHT);
     const assets::Files files = assets::original_set();
     for (int time = 0; time < 2; ++time) { // the second one takes the place of the first
-        ASSERT_EQ(program.bring(assets::read_users_tank(files.views(), assets::PAINT_VIEW).value().assets),
-                  "");
+        ASSERT_EQ(
+            program.set_user_tank(assets::read_users_tank(files.views(), assets::PAINT_VIEW).value().assets),
+            "");
         EXPECT_EQ(app::link(program.state()), "turret=20&tank=own");
         EXPECT_TRUE(program.draw_if_changed(WIDTH, HEIGHT));
         EXPECT_NE(ours, scene::read_pixels(WIDTH, HEIGHT));
@@ -89,7 +90,7 @@ TEST_F(Program, KeepsTheTankWhenOpenGlRefusesAnother)
     assets::Assets assets = assets::read_users_tank(files.views(), assets::PAINT_VIEW).value().assets;
     assets.texture = {
         .width = 1 << 17, .height = 1, .channels = 3, .pixels = std::vector<std::uint8_t>(3u << 17)};
-    EXPECT_NE(program.bring(std::move(assets)).find("OpenGL could not take"), std::string::npos);
+    EXPECT_NE(program.set_user_tank(std::move(assets)).find("OpenGL could not take"), std::string::npos);
     EXPECT_EQ(app::link(program.state()), "");
     EXPECT_FALSE(program.simulation().has_own_tank());
     program.draw_if_changed(WIDTH, HEIGHT);

@@ -37,8 +37,9 @@ void color_of(double u, double v)
 
 void torus_vertex(double u, double v, bool colors)
 {
-    if (colors)
+    if (colors) {
         color_of(u, v);
+    }
     const float r = 0.6f + 0.25f * cosine(v);
     glNormal3f(cosine(u) * cosine(v), sine(u) * cosine(v), sine(v));
     glTexCoord2d(u * 4, v * 2);
@@ -47,8 +48,9 @@ void torus_vertex(double u, double v, bool colors)
 
 void wave_vertex(double u, double v, bool colors)
 {
-    if (colors)
+    if (colors) {
         color_of(u, v);
+    }
     const float height = 0.15f * sine(u * 2) * cosine(v);
     glNormal3f(-cosine(u * 2), 1, sine(v));
     glTexCoord2d(u, v);
@@ -57,8 +59,9 @@ void wave_vertex(double u, double v, bool colors)
 
 void ball_vertex(double u, double v, bool colors)
 {
-    if (colors)
+    if (colors) {
         color_of(u, v);
+    }
     const float x = cosine(u) * sine(v / 2), y = sine(u) * sine(v / 2), z = cosine(v / 2);
     glNormal3f(x, y, z);
     glTexCoord2d(u, v);
@@ -80,11 +83,14 @@ template <class Vertex> void strips(GLenum mode, int detail, Vertex vertex)
 template <class Vertex> void faces(int detail, Vertex vertex)
 {
     glBegin(GL_QUADS);
-    for (int i = 0; i < detail; ++i)
-        for (int j = 0; j < detail; ++j)
-            for (const std::array<int, 2>& corner : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+    for (int i = 0; i < detail; ++i) {
+        for (int j = 0; j < detail; ++j) {
+            for (const std::array<int, 2>& corner : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
                 vertex(static_cast<double>(i + corner[0]) / detail,
                        static_cast<double>(j + corner[1]) / detail);
+            }
+        }
+    }
     glEnd();
 }
 
@@ -94,8 +100,9 @@ void cube(bool colors)
     glBegin(GL_QUADS);
     for (int face = 0; face < 6; ++face) {
         glNormal3fv(n[face]);
-        if (colors)
+        if (colors) {
             color_of(face / 6.0, face / 3.0);
+        }
         const int axis = face / 2, right = (axis + 1) % 3, up = (axis + 2) % 3;
         for (int corner = 0; corner < 4; ++corner) {
             const int around = face % 2 ? 3 - corner : corner;
@@ -115,13 +122,15 @@ void ring(int detail, bool colors)
     glBegin(GL_TRIANGLE_FAN);
     glNormal3f(0, 0, 1);
     glTexCoord2f(0.5f, 0.5f);
-    if (colors)
+    if (colors) {
         glColor3f(1, 1, 1);
+    }
     glVertex2f(0, 0);
     for (int i = 0; i <= detail; ++i) {
         const double turns = static_cast<double>(i) / detail;
-        if (colors)
+        if (colors) {
             color_of(turns, turns);
+        }
         glTexCoord2f(0.5f + 0.5f * cosine(turns), 0.5f + 0.5f * sine(turns));
         glVertex2f(0.9f * cosine(turns), 0.9f * sine(turns));
     }
@@ -151,8 +160,9 @@ void perspective_view(double angle_degrees, float x, float y, float z)
 void texture_image(GLenum internal_format, int width, int height, bool generates)
 {
     std::vector<std::uint8_t> texels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t i = 0; i < texels.size(); ++i) {
         texels[i] = static_cast<std::uint8_t>(i * 37 ^ i / 64 * 80);
+    }
     glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, generates);
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width, height, 0, GL_RGBA,
                  GL_UNSIGNED_BYTE, texels.data());
@@ -188,14 +198,15 @@ void quadric(int which, GLenum style, GLenum normals, bool textured, bool inside
     gluQuadricNormals(q, normals);
     gluQuadricTexture(q, static_cast<GLboolean>(textured));
     gluQuadricOrientation(q, inside ? GLU_INSIDE : GLU_OUTSIDE);
-    if (which == 0)
+    if (which == 0) {
         gluSphere(q, 0.7, slices, stacks);
-    else if (which == 1)
+    } else if (which == 1) {
         gluCylinder(q, 0.5, 0.3, 0.9, slices, stacks);
-    else if (which == 2)
+    } else if (which == 2) {
         gluDisk(q, 0.2, 0.8, slices, stacks);
-    else
+    } else {
         gluPartialDisk(q, 0.1, 0.8, slices, stacks, 30, 250);
+    }
     gluDeleteQuadric(q);
 }
 
@@ -215,8 +226,9 @@ void array(GLenum mode, int count, int how, unsigned seed)
         Vertex& v = vertices[static_cast<std::size_t>(i)];
         v.s = 2 * at(0);
         v.t = 2 * at(1);
-        for (unsigned c = 0; c < 4; ++c)
+        for (unsigned c = 0; c < 4; ++c) {
             v.color[c] = static_cast<GLubyte>(at(2 + c) * 255);
+        }
         for (unsigned c = 0; c < 3; ++c) {
             v.normal[c] = at(6 + c) * 2 - 1;
             v.position[c] = at(9 + c) * 2.5f - 1.25f;
@@ -230,9 +242,10 @@ void array(GLenum mode, int count, int how, unsigned seed)
             float position[3];
         };
         std::vector<Interleaved> interleaved;
-        for (const Vertex& v : vertices)
+        for (const Vertex& v : vertices) {
             interleaved.push_back({{v.color[0], v.color[1], v.color[2], v.color[3]},
                                    {v.position[0], v.position[1], v.position[2]}});
+        }
         glInterleavedArrays(GL_C4UB_V3F, 0, interleaved.data());
         glDrawArrays(mode, 0, count);
         glPopClientAttrib();
@@ -243,24 +256,29 @@ void array(GLenum mode, int count, int how, unsigned seed)
     glColorPointer(seed % 2 ? 3 : 4, GL_UNSIGNED_BYTE, sizeof(Vertex), vertices.data()->color);
     glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), &vertices.data()->s);
     glEnableClientState(GL_VERTEX_ARRAY);
-    if (seed & 2)
+    if (seed & 2) {
         glEnableClientState(GL_NORMAL_ARRAY);
-    if (seed & 4)
+    }
+    if (seed & 4) {
         glEnableClientState(GL_COLOR_ARRAY);
-    if (seed & 8)
+    }
+    if (seed & 8) {
         glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    }
     if (how == 0) {
         glDrawArrays(mode, 0, count);
     } else if (how == 1) {
         std::vector<GLushort> indices;
-        for (int i = 0; i < count + 3; ++i)
+        for (int i = 0; i < count + 3; ++i) {
             indices.push_back(static_cast<GLushort>(hashed(seed + 99, static_cast<unsigned>(i)) *
                                                     static_cast<float>(count - 1)));
+        }
         glDrawElements(mode, count + 3, GL_UNSIGNED_SHORT, indices.data());
     } else {
         glBegin(mode);
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             glArrayElement(i);
+        }
         glEnd();
     }
     glPopClientAttrib();

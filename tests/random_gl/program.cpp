@@ -64,14 +64,16 @@ void Program::pair(std::size_t opening, std::size_t closing, bool holds_together
 
 void Program::run(std::span<const std::size_t> kept) const
 {
-    for (const std::size_t i : kept)
+    for (const std::size_t i : kept) {
         commands_[i].run();
+    }
 }
 
 void Program::run(std::size_t from) const
 {
-    for (; from < commands_.size(); ++from)
+    for (; from < commands_.size(); ++from) {
         commands_[from].run();
+    }
 }
 
 std::vector<std::size_t> Program::without(std::span<const std::size_t> kept, std::size_t from,
@@ -83,9 +85,10 @@ std::vector<std::size_t> Program::without(std::span<const std::size_t> kept, std
         for (std::size_t i = unit; i < commands_.size() && (i == unit || commands_[i].unit == unit); ++i) {
             const std::size_t partner = commands_[i].partner;
             falls[i] = falls[partner] = true;
-            if (commands_[i].holds_together)
+            if (commands_[i].holds_together) {
                 std::fill(falls.begin() + static_cast<long>(std::min(i, partner)),
                           falls.begin() + static_cast<long>(std::max(i, partner)), true);
+            }
         }
     }
     std::vector<std::size_t> rest;

@@ -45,8 +45,9 @@ inline std::string written(unsigned short value)
 template <class T, std::size_t N> std::string written(const Values<T, N>& values)
 {
     std::string text;
-    for (const T& value : values.values)
+    for (const T& value : values.values) {
         text += (text.empty() ? "" : ", ") + written(value);
+    }
     return std::string("std::array{") + text + "}.data()";
 }
 

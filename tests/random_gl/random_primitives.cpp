@@ -7,18 +7,24 @@ namespace random_gl {
 
 void RandomStream::primitive()
 {
-    if (uses(Feature::display_lists) && pick(6) == 0)
+    if (uses(Feature::display_lists) && pick(6) == 0) {
         return list();
-    if (uses(Feature::attribute_stack) && pick(8) == 0)
+    }
+    if (uses(Feature::attribute_stack) && pick(8) == 0) {
         return pushed();
-    if (uses(Feature::rectangles) && pick(4) == 0)
+    }
+    if (uses(Feature::rectangles) && pick(4) == 0) {
         return rectangle();
-    if (uses(Feature::quadrics) && pick(4) == 0)
+    }
+    if (uses(Feature::quadrics) && pick(4) == 0) {
         return quadric();
-    if (uses(Feature::meshes) && pick(3) == 0)
+    }
+    if (uses(Feature::meshes) && pick(3) == 0) {
         return mesh();
-    if (uses(Feature::arrays) && pick(4) == 0)
+    }
+    if (uses(Feature::arrays) && pick(4) == 0) {
         return array();
+    }
     loose_primitive();
 }
 
@@ -34,11 +40,13 @@ void RandomStream::end()
 
 Name RandomStream::mode()
 {
-    if (uses(Feature::quads) && pick(6) == 0)
+    if (uses(Feature::quads) && pick(6) == 0) {
         return RANDOM_GL_NAME(GL_QUADS);
-    if (!uses(Feature::quad_strips))
+    }
+    if (!uses(Feature::quad_strips)) {
         return RANDOM_GL_ANY(GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES,
                              GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_POLYGON);
+    }
     return RANDOM_GL_ANY(GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES, GL_TRIANGLE_STRIP,
                          GL_TRIANGLE_FAN, GL_QUAD_STRIP, GL_POLYGON);
 }
@@ -47,8 +55,9 @@ Name RandomStream::mode()
 int RandomStream::vertex_count(GLenum mode)
 {
     const int count = 1 + pick(9);
-    if (!in_list_ && pick(5) == 0)
+    if (!in_list_ && pick(5) == 0) {
         return count;
+    }
     switch (mode) {
     case GL_POINTS:
         return count;
@@ -75,18 +84,23 @@ void RandomStream::loose_primitive()
     const int components = uses(Feature::homogeneous) && pick(3) == 0 ? 4 : pick(4) == 0 ? 2 : 3;
     std::array<int, 3> varying{};
     const auto some = std::span(varying).first(static_cast<std::size_t>(pick(4)));
-    for (int& which : some)
+    for (int& which : some) {
         which = pick(ATTRIBUTES);
-    if (uses(Feature::textures) && !some.empty())
+    }
+    if (uses(Feature::textures) && !some.empty()) {
         some.front() = TEXTURE_COORDINATE;
+    }
     program_.begin_unit(); // All that the vertices get, the first one gets with glBegin.
     begin(name);
     for (int i = 0; i < count; ++i) {
-        for (const int which : some)
-            if (i == 0 || pick(3))
+        for (const int which : some) {
+            if (i == 0 || pick(3)) {
                 attribute(which);
-        if (uses(Feature::ragged) && pick(3) == 0)
+            }
+        }
+        if (uses(Feature::ragged) && pick(3) == 0) {
             attribute(pick(ATTRIBUTES));
+        }
         vertex(uses(Feature::ragged) ? 2 + pick(2) : components);
         program_.begin_unit();
     }
@@ -116,18 +130,20 @@ void RandomStream::attribute(int which)
     switch (which) {
     case 0:
     case 1:
-        if (has_alpha_ || uses(Feature::ragged))
+        if (has_alpha_ || uses(Feature::ragged)) {
             RANDOM_GL_CALL(glColor4fv, v);
-        else
+        } else {
             RANDOM_GL_CALL(glColor3fv, v);
+        }
         return;
     case 2:
-        if (has_alpha_)
+        if (has_alpha_) {
             RANDOM_GL_CALL(glColor4ub, static_cast<GLubyte>(pick(256)), static_cast<GLubyte>(pick(256)),
                            static_cast<GLubyte>(pick(256)), static_cast<GLubyte>(pick(256)));
-        else
+        } else {
             RANDOM_GL_CALL(glColor3ub, static_cast<GLubyte>(pick(256)), static_cast<GLubyte>(pick(256)),
                            static_cast<GLubyte>(pick(256)));
+        }
         return;
     case 3:
         RANDOM_GL_CALL(glNormal3f, a[0] - 0.5f, a[1] - 0.5f, 1.0f);
@@ -136,25 +152,30 @@ void RandomStream::attribute(int which)
         RANDOM_GL_CALL(glTexCoord2f, a[0] * 2, a[1] * 2);
         return;
     case 5:
-        if (uses(Feature::edge_flags))
+        if (uses(Feature::edge_flags)) {
             RANDOM_GL_CALL(glEdgeFlag, static_cast<GLboolean>(a[0] < 0.7f));
+        }
         return;
     case 6:
-        if (uses(Feature::fog_coordinates))
+        if (uses(Feature::fog_coordinates)) {
             RANDOM_GL_CALL(glFogCoordf, a[0]);
+        }
         return;
     case 7:
-        if (uses(Feature::secondary_colors))
+        if (uses(Feature::secondary_colors)) {
             RANDOM_GL_CALL(glSecondaryColor3fv, v);
+        }
         return;
     case 8:
-        if (uses(Feature::second_texture_unit))
+        if (uses(Feature::second_texture_unit)) {
             RANDOM_GL_CALL(glMultiTexCoord2f, RANDOM_GL_NAME(GL_TEXTURE1), a[0] * 2, a[1] * 2);
+        }
         return;
     default:
-        if (uses(Feature::materials))
+        if (uses(Feature::materials)) {
             RANDOM_GL_CALL(glMaterialfv, RANDOM_GL_NAME(GL_FRONT_AND_BACK),
                            has_alpha_ ? RANDOM_GL_NAME(GL_DIFFUSE) : RANDOM_GL_NAME(GL_EMISSION), v);
+        }
     }
 }
 
@@ -192,37 +213,43 @@ void RandomStream::array()
 /// Compiles a list of some commands, sometimes with lists in it, and calls it twice.
 void RandomStream::list()
 {
-    if (depth_ != 0)
+    if (depth_ != 0) {
         return loose_primitive();
+    }
     ++depth_;
     const auto name = static_cast<GLuint>(++lists_);
     in_list_ = true;
     const std::size_t opened =
         RANDOM_GL_CALL(glNewList, name, RANDOM_GL_ANY(GL_COMPILE, GL_COMPILE, GL_COMPILE_AND_EXECUTE));
-    for (int i = 1 + pick(6); i > 0; --i)
+    for (int i = 1 + pick(6); i > 0; --i) {
         pick(2) ? primitive() : state();
-    if (name > 1 && pick(2))
+    }
+    if (name > 1 && pick(2)) {
         RANDOM_GL_CALL(glCallList, 1 + static_cast<GLuint>(pick(static_cast<int>(name) - 1)));
+    }
     program_.pair(opened, RANDOM_GL_CALL(glEndList), false);
     in_list_ = false;
     --depth_;
     for (int i = pick(3); i >= 0; --i) {
-        if (pick(2))
+        if (pick(2)) {
             state();
+        }
         RANDOM_GL_CALL(glCallList, name);
     }
 }
 
 void RandomStream::pushed()
 {
-    if (depth_ > 1)
+    if (depth_ > 1) {
         return loose_primitive();
+    }
     ++depth_;
     const std::size_t opened =
         RANDOM_GL_CALL(glPushAttrib, RANDOM_GL_ANY(GL_ALL_ATTRIB_BITS, GL_ENABLE_BIT, GL_CURRENT_BIT,
                                                    GL_LIGHTING_BIT, GL_POLYGON_BIT));
-    for (int i = 1 + pick(5); i > 0; --i)
+    for (int i = 1 + pick(5); i > 0; --i) {
         pick(2) ? primitive() : state();
+    }
     program_.pair(opened, RANDOM_GL_CALL(glPopAttrib), false);
     --depth_;
 }

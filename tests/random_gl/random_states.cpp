@@ -22,20 +22,22 @@ bool RandomStream::vertex_state(Feature feature)
             RANDOM_GL_CALL(glScalef, a[0] + 0.5f, a[1] + 0.5f, a[2] + 0.5f);
             return true;
         default:
-            if (!in_three_dimensions_)
+            if (!in_three_dimensions_) {
                 RANDOM_GL_CALL(glLoadIdentity);
+            }
             return true;
         }
     case Feature::lighting:
         light_state();
         return true;
     case Feature::materials:
-        if (pick(3) == 0)
+        if (pick(3) == 0) {
             RANDOM_GL_CALL(glMaterialf, RANDOM_GL_ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK),
                            RANDOM_GL_NAME(GL_SHININESS), 1 + a[0] * 63);
-        else
+        } else {
             RANDOM_GL_CALL(glMaterialfv, RANDOM_GL_ANY(GL_FRONT_AND_BACK, GL_FRONT, GL_BACK),
                            RANDOM_GL_ANY(GL_EMISSION, GL_DIFFUSE, GL_AMBIENT, GL_SPECULAR), v);
+        }
         return true;
     case Feature::shade_model:
         RANDOM_GL_CALL(glShadeModel, RANDOM_GL_ANY(GL_FLAT, GL_SMOOTH));
@@ -59,10 +61,11 @@ bool RandomStream::vertex_state(Feature feature)
         RANDOM_GL_CALL(glDepthRange, static_cast<double>(a[0]) / 2, 1 - static_cast<double>(a[1]) / 2);
         return true;
     case Feature::flushes:
-        if (pick(2))
+        if (pick(2)) {
             RANDOM_GL_CALL(glFlush);
-        else
+        } else {
             RANDOM_GL_CALL(glFinish);
+        }
         return true;
     default:
         return false;
@@ -107,11 +110,12 @@ void RandomStream::light_state()
             RANDOM_GL_ANY(GL_AMBIENT_AND_DIFFUSE, GL_DIFFUSE, GL_AMBIENT, GL_SPECULAR, GL_EMISSION));
         return;
     default:
-        if (pick(2))
+        if (pick(2)) {
             RANDOM_GL_CALL(glLightModelfv, RANDOM_GL_NAME(GL_LIGHT_MODEL_AMBIENT), v);
-        else
+        } else {
             RANDOM_GL_CALL(glLightModeli, RANDOM_GL_NAME(GL_LIGHT_MODEL_COLOR_CONTROL),
                            RANDOM_GL_ANY(GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR));
+        }
     }
 }
 
@@ -122,40 +126,44 @@ bool RandomStream::raster_state(Feature feature)
     switch (feature) {
     case Feature::faces:
         enable(RANDOM_GL_NAME(GL_CULL_FACE));
-        if (pick(2))
+        if (pick(2)) {
             RANDOM_GL_CALL(glCullFace, RANDOM_GL_ANY(GL_FRONT, GL_BACK));
-        else
+        } else {
             RANDOM_GL_CALL(glFrontFace, RANDOM_GL_ANY(GL_CW, GL_CCW));
+        }
         return true;
     case Feature::polygon_mode:
         // With both, Mesa draws one face with what is meant for the smooth lines or the stipple of the other.
-        if (uses(Feature::smooth_lines_and_points) || uses(Feature::polygon_stipple))
+        if (uses(Feature::smooth_lines_and_points) || uses(Feature::polygon_stipple)) {
             RANDOM_GL_CALL(glPolygonMode, RANDOM_GL_NAME(GL_FRONT_AND_BACK),
                            RANDOM_GL_ANY(GL_POINT, GL_LINE, GL_LINE, GL_FILL));
-        else
+        } else {
             RANDOM_GL_CALL(glPolygonMode,
                            RANDOM_GL_ANY(GL_FRONT, GL_BACK, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK),
                            RANDOM_GL_ANY(GL_POINT, GL_LINE, GL_LINE, GL_FILL));
+        }
         return true;
     case Feature::polygon_offset:
         // All at once: if one of them is on, Mesa offsets all.
         for (const bool on = pick(3) != 0; const Name& name : {RANDOM_GL_NAME(GL_POLYGON_OFFSET_FILL),
                                                                RANDOM_GL_NAME(GL_POLYGON_OFFSET_LINE),
                                                                RANDOM_GL_NAME(GL_POLYGON_OFFSET_POINT)}) {
-            if (on)
+            if (on) {
                 RANDOM_GL_CALL(glEnable, name);
-            else
+            } else {
                 RANDOM_GL_CALL(glDisable, name);
+            }
         }
         RANDOM_GL_CALL(glPolygonOffset, a[0] * 4 - 2, a[1] * 4 - 2);
         return true;
     case Feature::polygon_stipple: {
         Values<GLubyte, 128> pattern{};
         const int kind = pick(4);
-        for (std::size_t i = 0; i < 128; ++i)
+        for (std::size_t i = 0; i < 128; ++i) {
             pattern.values[i] = static_cast<GLubyte>(kind == 0   ? (i / 4 % 2 ? 0x55 : 0xaa)
                                                      : kind == 1 ? 0x0f
                                                                  : i * 37);
+        }
         enable(RANDOM_GL_NAME(GL_POLYGON_STIPPLE));
         RANDOM_GL_CALL(glPolygonStipple, pattern);
         return true;
@@ -176,10 +184,11 @@ bool RandomStream::raster_state(Feature feature)
         RANDOM_GL_CALL(glPointSize, a[0] * 9 + 0.5f);
         return true;
     case Feature::point_parameters:
-        if (pick(2))
+        if (pick(2)) {
             RANDOM_GL_CALL(glPointParameterfv, RANDOM_GL_NAME(GL_POINT_DISTANCE_ATTENUATION), v);
-        else
+        } else {
             RANDOM_GL_CALL(glPointParameterf, RANDOM_GL_ANY(GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX), a[0] * 8);
+        }
         return true;
     case Feature::smooth_lines_and_points:
         enable(RANDOM_GL_ANY(GL_LINE_SMOOTH, GL_POINT_SMOOTH));
@@ -207,8 +216,9 @@ bool RandomStream::fragment_state(Feature feature)
     case Feature::depth_test:
         enable(RANDOM_GL_NAME(GL_DEPTH_TEST));
         RANDOM_GL_CALL(glDepthFunc, comparison());
-        if (pick(6) == 0)
+        if (pick(6) == 0) {
             RANDOM_GL_CALL(glDepthMask, static_cast<GLboolean>(pick(2)));
+        }
         return true;
     case Feature::stencil_test: {
         enable(RANDOM_GL_NAME(GL_STENCIL_TEST));
@@ -218,8 +228,9 @@ bool RandomStream::fragment_state(Feature feature)
                    depth_fail = RANDOM_GL_ANY(GL_INCR, GL_DECR),
                    pass = RANDOM_GL_ANY(GL_INVERT, GL_KEEP, GL_INCR, GL_REPLACE);
         RANDOM_GL_CALL(glStencilOp, fail, depth_fail, pass);
-        if (pick(6) == 0)
+        if (pick(6) == 0) {
             RANDOM_GL_CALL(glStencilMask, static_cast<GLuint>(pick(256)));
+        }
         return true;
     }
     case Feature::alpha_test: {
@@ -240,11 +251,13 @@ bool RandomStream::fragment_state(Feature feature)
         const Name destination = RANDOM_GL_ANY(GL_ZERO, GL_ONE, GL_ONE_MINUS_SRC_ALPHA,
                                                GL_ONE_MINUS_SRC_ALPHA, GL_CONSTANT_ALPHA, GL_SRC_COLOR);
         RANDOM_GL_CALL(glBlendFunc, source, destination);
-        if (pick(5) == 0)
+        if (pick(5) == 0) {
             RANDOM_GL_CALL(glBlendEquation, RANDOM_GL_ANY(GL_FUNC_ADD, GL_FUNC_SUBTRACT,
                                                           GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX));
-        if (pick(5) == 0)
+        }
+        if (pick(5) == 0) {
             RANDOM_GL_CALL(glBlendColor, a[0], a[1], a[2], a[3]);
+        }
         return true;
     }
     case Feature::logic_op:
@@ -285,9 +298,10 @@ bool RandomStream::fragment_state(Feature feature)
         return true;
     case Feature::clears:
         RANDOM_GL_CALL(glClearColor, a[0], a[1], a[2], a[3]);
-        if (pick(4) == 0)
+        if (pick(4) == 0) {
             RANDOM_GL_CALL(glClear,
                            RANDOM_GL_ANY(GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT));
+        }
         return true;
     default:
         return false;

@@ -55,12 +55,13 @@ bool RandomStream::texture_state(Feature feature)
             return true;
         }
     case Feature::texture_environment:
-        if (pick(4) == 0)
+        if (pick(4) == 0) {
             RANDOM_GL_CALL(glTexEnvfv, RANDOM_GL_NAME(GL_TEXTURE_ENV), RANDOM_GL_NAME(GL_TEXTURE_ENV_COLOR),
                            v);
-        else
+        } else {
             RANDOM_GL_CALL(glTexEnvi, RANDOM_GL_NAME(GL_TEXTURE_ENV), RANDOM_GL_NAME(GL_TEXTURE_ENV_MODE),
                            RANDOM_GL_ANY(GL_MODULATE, GL_DECAL, GL_BLEND, GL_REPLACE, GL_ADD));
+        }
         return true;
     case Feature::texture_combiners:
         combiner_state();
@@ -70,16 +71,18 @@ bool RandomStream::texture_state(Feature feature)
         const Name coordinate = RANDOM_GL_ANY(GL_S, GL_T);
         RANDOM_GL_CALL(glTexGeni, coordinate, RANDOM_GL_NAME(GL_TEXTURE_GEN_MODE),
                        RANDOM_GL_ANY(GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP));
-        if (pick(2))
+        if (pick(2)) {
             RANDOM_GL_CALL(glTexGenfv, coordinate, RANDOM_GL_ANY(GL_OBJECT_PLANE, GL_EYE_PLANE), v);
+        }
         return true;
     }
     case Feature::texture_matrix:
         RANDOM_GL_CALL(glMatrixMode, RANDOM_GL_NAME(GL_TEXTURE));
-        if (pick(2))
+        if (pick(2)) {
             RANDOM_GL_CALL(glRotatef, a[0] * 90, 0.0f, 0.0f, 1.0f);
-        else
+        } else {
             RANDOM_GL_CALL(glScalef, a[0] + 0.5f, a[1] + 0.5f, 1.0f);
+        }
         RANDOM_GL_CALL(glMatrixMode, RANDOM_GL_NAME(GL_MODELVIEW));
         return true;
     case Feature::second_texture_unit:

@@ -109,23 +109,23 @@ inline app::Frame full_frame(const assets::Assets& all, const Particles& of)
     state.show.axis = app::AxisShown::turret;
     app::Frame frame = app::make_frame(state, all);
     const auto sphere = [&](double x, double radius, bool is_root, bool is_penetrated) {
-        frame.spheres[frame.sphere_count++] = {.centre = {x, 1.0, 0.5},
-                                               .radius = radius,
-                                               .is_root = is_root,
-                                               .part = tank::Part::body,
-                                               .is_penetrated = is_penetrated};
+        frame.spheres.push_back({.centre = {x, 1.0, 0.5},
+                                 .radius = radius,
+                                 .is_root = is_root,
+                                 .part = tank::Part::body,
+                                 .is_penetrated = is_penetrated});
     };
     sphere(0.25, 1.5, false, true);
     sphere(0.5, 4.0, true, true);
     sphere(0.75, 1.25, false, false);
     sphere(1.0, 1.0, false, true);
-    frame.closest_points[frame.closest_point_count++] = {{1, 2, 3}, {0, 1, 0}, true};
-    frame.closest_points[frame.closest_point_count++] = {{1, 2, 2}, {0, 1, 1}, false};
-    frame.triangles[frame.triangle_count++] = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0.1, 0.1, 0}, true};
+    frame.closest_points.push_back({{1, 2, 3}, {0, 1, 0}, true});
+    frame.closest_points.push_back({{1, 2, 2}, {0, 1, 1}, false});
+    frame.triangles.push_back({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0.1, 0.1, 0}, true});
     frame.shot = {.flies = true, .position = {2, 2, 2}, .velocity = {-10, 0, 0}, .radius = 0.1};
     for (particles::TextureKind texture :
          {particles::TextureKind::soft_dot, particles::TextureKind::streak}) {
-        particles::ParticleView& view = frame.particles[frame.particle_view_count++] = of.view();
+        particles::ParticleView& view = frame.particles.push_back(of.view());
         view.texture = texture;
     }
     frame.particles[1].blending = particles::Blending::over;

@@ -125,7 +125,7 @@ TEST_F(Markers, PointBeyondTheHandlesWhereALineGoesOn)
 TEST_F(Markers, JoinClosestPointsToTheirCentres)
 {
     app::Frame frame = frame_of(app::Probe::segment);
-    frame.closest_points[frame.closest_point_count++] = {{7, 8, 9}, {-1, -2, -3}, true};
+    frame.closest_points.push_back({{7, 8, 9}, {-1, -2, -3}, true});
     auto counts = centres(draw(frame));
     EXPECT_EQ((counts[{7.0, 8.0}]), 1);
     EXPECT_EQ((counts[{-1.0, -2.0}]), 1);
@@ -143,8 +143,7 @@ TEST_F(Markers, TellByColourWhetherThePointIsInsideAMesh)
     std::vector<std::vector<double>> colours;
     for (bool is_inside : {false, true}) {
         app::Frame frame = frame_of(app::Probe::none);
-        frame.triangles[frame.triangle_count++] = {
-            {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0.1, 0.1, 0}, is_inside};
+        frame.triangles.push_back({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0.1, 0.1, 0}, is_inside});
         colours.push_back(draw(frame).direct_draws.at(0).settings.at("colour"));
     }
     EXPECT_NE(colours[0], colours[1]);

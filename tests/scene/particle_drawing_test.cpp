@@ -38,8 +38,7 @@ protected:
 
     recording_gl::Replay draw(const particles::ParticleView& view)
     {
-        frame.particles[0] = view;
-        frame.particle_view_count = 1;
+        frame.particles = {view};
         glEnable(GL_DEPTH_TEST);
         drawing.draw(frame, 600);
         calls = recording_gl::take_calls();
@@ -68,7 +67,7 @@ protected:
 
 TEST_F(ParticleDrawing, DoesNothingWithoutParticles)
 {
-    frame.particle_view_count = 0;
+    frame.particles.clear();
     drawing.draw(frame, 600);
     EXPECT_TRUE(recording_gl::calls().empty());
 }

@@ -42,11 +42,11 @@ protected:
 
     void add(double x, double radius, bool is_root, bool is_penetrated)
     {
-        frame.spheres[frame.sphere_count++] = {.centre = {x, 2.0, 3.0},
-                                               .radius = radius,
-                                               .is_root = is_root,
-                                               .part = tank::Part::turret,
-                                               .is_penetrated = is_penetrated};
+        frame.spheres.push_back({.centre = {x, 2.0, 3.0},
+                                 .radius = radius,
+                                 .is_root = is_root,
+                                 .part = tank::Part::turret,
+                                 .is_penetrated = is_penetrated});
     }
 
     scene::Shapes shapes;

@@ -28,8 +28,7 @@ constexpr Command hold(std::string_view name, std::string_view title, Group grou
             .group = group,
             .kind = CommandKind::hold,
             .keys = keys,
-            .moves = {first},
-            .move_count = 1};
+            .moves = {first}};
 }
 
 constexpr Command hold(std::string_view name, std::string_view title, Group group, Keys keys, Move first,
@@ -40,8 +39,7 @@ constexpr Command hold(std::string_view name, std::string_view title, Group grou
             .group = group,
             .kind = CommandKind::hold,
             .keys = keys,
-            .moves = {first, second},
-            .move_count = 2};
+            .moves = {first, second}};
 }
 
 constexpr Command drive(std::string_view name, std::string_view title, Keys keys, double speed)
@@ -52,16 +50,11 @@ constexpr Command drive(std::string_view name, std::string_view title, Keys keys
 
 constexpr Command add(std::string_view name, std::string_view title, Group group, Move move)
 {
-    return {.name = name,
-            .title = title,
-            .group = group,
-            .kind = CommandKind::add,
-            .moves = {move},
-            .move_count = 1};
+    return {.name = name, .title = title, .group = group, .kind = CommandKind::add, .moves = {move}};
 }
 
 constexpr Command press(std::string_view name, std::string_view title, Group group, Keys keys,
-                        std::string (*action)(State&, const assets::Assets&))
+                        Outcome (*action)(State&, const assets::Assets&))
 {
     return {.name = name,
             .title = title,
@@ -82,34 +75,37 @@ template <class Chosen> void reset_fields(State& state, Chosen chosen)
     }
 }
 
-std::string reset_view(State& state, const assets::Assets&)
+Outcome reset_view(State& state, const assets::Assets&)
 {
     reset_fields(state, [](Group group) { return group == Group::camera; });
     return {};
 }
 
-std::string reset_pose(State& state, const assets::Assets&)
+Outcome reset_pose(State& state, const assets::Assets&)
 {
     reset_fields(state, [](Group group) { return group <= Group::tank; });
     return {};
 }
 
-std::string reset_projectile(State& state, const assets::Assets&)
+Outcome reset_projectile(State& state, const assets::Assets&)
 {
     reset_fields(state, [](Group group) { return group == Group::projectile; });
+    const bool flew = state.shot.flies;
+    const bool was_under_way = flew || state.event.kind != EventKind::none;
     state.shot = {};
     state.event = {};
-    return {};
+    return {.event_changed = was_under_way, .landed = flew};
 }
 
-std::string release_all(State& state, const assets::Assets&)
+Outcome release_all(State& state, const assets::Assets&)
 {
+    const bool held = state.held.any();
     state.held.reset();
-    return {};
+    return {.holds_changed = held};
 }
 
 /// Goes to the next choice of a field, from the last to the first.
-template <FieldId id> std::string next(State& state, const assets::Assets&)
+template <FieldId id> Outcome next(State& state, const assets::Assets&)
 {
     const Field& chosen = field(id);
     const auto count = static_cast<std::int64_t>(chosen.choices.size());
@@ -118,32 +114,31 @@ template <FieldId id> std::string next(State& state, const assets::Assets&)
 }
 
 /// Makes the distance the threshold.
-std::string note_threshold(State& state, const assets::Assets&)
+Outcome note_threshold(State& state, const assets::Assets&)
 {
     const Field& threshold_field = field(threshold);
     set_grid_value(threshold_field, state, to_grid(threshold_field, state.camera.distance));
     return {};
 }
 
-std::string print_report(State& state, const assets::Assets&)
+Outcome print_report(State&, const assets::Assets&)
 {
-    ++state.revision.prints;
-    return {};
+    return {.printed = true};
 }
 
 /// Opens the next of the tasks whose id begins with `section`, or of the figures, from the last to the first.
-template <TaskKind kind, char section> std::string open_next(State& state, const assets::Assets&)
+template <TaskKind kind, char section> Outcome open_next(State& state, const assets::Assets&)
 {
     const std::span<const Task> all = tasks();
     const std::size_t current = state.task.value_or(all.size() - 1);
     for (std::size_t i = 1; i <= all.size(); ++i) {
         const std::size_t row = (current + i) % all.size();
         if (all[row].kind == kind && (kind == TaskKind::figure || all[row].id[0] == section)) {
-            open_task(state, row);
-            return {};
+            state = starting_state(row);
+            return {.opened = true};
         }
     }
-    return "The lab has no such task.";
+    return Outcome::refused("The lab has no such task.");
 }
 
 constexpr Move of_handle(FieldId field, double rate)
@@ -242,7 +237,7 @@ constexpr Command OWN_COMMANDS[] = {
     press("release_all", "Let go of everything held", Group::program, {}, release_all),
 };
 
-static_assert(std::size(OWN_COMMANDS) <= MAXIMUM_HELD_COMMANDS);
+static_assert(std::size(OWN_COMMANDS) <= MAX_HELD_COMMANDS);
 
 std::vector<Command> make_commands()
 {
@@ -252,16 +247,14 @@ std::vector<Command> make_commands()
                             .title = field.title,
                             .group = field.group,
                             .kind = CommandKind::set,
-                            .moves = {Move{field.id}},
-                            .move_count = 1});
+                            .moves = {Move{field.id}}});
     }
     for (const FieldAlias& alias : field_aliases()) {
         commands.push_back({.name = alias.name,
                             .title = alias.title,
                             .group = field(alias.fields[0]).group,
                             .kind = CommandKind::set,
-                            .moves = {Move{alias.fields[0]}, Move{alias.fields[1]}},
-                            .move_count = alias.fields.size()});
+                            .moves = {Move{alias.fields[0]}, Move{alias.fields[1]}}});
     }
     return commands;
 }

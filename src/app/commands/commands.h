@@ -3,8 +3,10 @@
 #include "app/commands/keys.h"
 #include "app/state/fields.h"
 #include "app/state/groups.h"
+#include "app/state/outcome.h"
 #include "app/state/state.h"
 #include "assets/assets.h"
+#include "base/static_vector.h"
 
 #include <array>
 #include <cstddef>
@@ -52,16 +54,13 @@ struct Command
     Group group = Group::program;
     CommandKind kind = CommandKind::press;
     std::array<Key, 3> keys{};
-    std::array<Move, 2> moves{};
-    std::size_t move_count = 0;
-    std::string (*press)(State&, const assets::Assets&) =
-        nullptr; ///< for press: returns "", or a sentence when it cannot be done
-
-    std::span<const Move> used_moves() const { return {moves.data(), move_count}; }
+    base::StaticVector<Move, 2> moves{};
+    /// For press: does it, and says what happened besides other values of fields, which apply() finds.
+    Outcome (*press)(State&, const assets::Assets&) = nullptr;
 };
 
 /// Returns the one table of commands: first those with keys and for the mouse, then a `set` command for every
-/// field and alias, by its link name. Rows of kind `hold` have an index below MAXIMUM_HELD_COMMANDS.
+/// field and alias, by its link name. Rows of kind `hold` have an index below MAX_HELD_COMMANDS.
 std::span<const Command> commands();
 
 /// Returns the command with that name, or null.

@@ -9,16 +9,19 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace app {
 
 namespace {
 
 /// So long is a line that is laid by aiming, at most. Metres.
-constexpr double LONGEST_AIMED_LINE = 20.0;
+constexpr double MAX_AIMED_LINE = 20.0;
 
 /// Further along a direction of length 1 than anything is.
-constexpr double LARGEST_PARAMETER = 1e6;
+constexpr double MAX_PARAMETER = 1e6;
 
 /// The parameters between which a ray is within reach.
 struct Span
@@ -31,7 +34,7 @@ struct Span
 std::optional<Span> within_reach(const glm::dvec3& origin, const glm::dvec3& direction)
 {
     const ProjectileBounds box = projectile_bounds();
-    Span span{0.0, LARGEST_PARAMETER};
+    Span span{0.0, MAX_PARAMETER};
     for (int axis = 0; axis < 3; ++axis) {
         if (direction[axis] == 0.0) {
             if (origin[axis] < box.low[axis] || origin[axis] > box.high[axis]) {
@@ -91,46 +94,46 @@ Way way_to_aim(const State& state, const assets::Assets& assets)
     return {muzzle, glm::normalize(camera.eye + SIGHTED_IN_AT * direction - muzzle)};
 }
 
-std::string fire_along_line(State& state)
+Outcome fire_along_line(State& state)
 {
     State fired = state;
     put_on_grid(fired);
     fired.seed = fired.seed >= LAST_SEED ? FIRST_SEED : fired.seed + 1;
-    std::string fault = begin_event(fired, EventKind::fire, 0);
-    if (fault.empty()) {
-        state = fired;
+    if (std::string fault = begin_event(fired, EventKind::fire, 0); !fault.empty()) {
+        return Outcome::refused(std::move(fault));
     }
-    return fault;
+    state = fired;
+    return {.event_changed = true, .fired = true};
 }
 
 } // namespace
 
-std::string fire(State& state, const assets::Assets& assets)
+Outcome fire(State& state, const assets::Assets& assets)
 {
     return state.camera.view == View::gunner ? fire_at_aim(state, assets) : fire_along_line(state);
 }
 
-std::string fire_at_aim(State& state, const assets::Assets& assets)
+Outcome fire_at_aim(State& state, const assets::Assets& assets)
 {
     if (state.camera.view == View::four) {
-        return std::string(NO_AIM_IN_FOUR_VIEWS);
+        return Outcome::refused(std::string(NO_AIM_IN_FOUR_VIEWS));
     }
     const Way way = way_to_aim(state, assets);
     const std::optional<Span> span = within_reach(way.from, way.direction);
     if (!span || span->to - span->from < 0.01) {
-        return "The projectile cannot be anywhere on the way that is aimed along.";
+        return Outcome::refused("The projectile cannot be anywhere on the way that is aimed along.");
     }
-    const double end = std::min(span->to, span->from + LONGEST_AIMED_LINE);
+    const double end = std::min(span->to, span->from + MAX_AIMED_LINE);
     State aimed = state;
     using enum FieldId;
     set_on_grid(aimed, {line_ax, line_ay, line_az}, way.from + span->from * way.direction);
     set_on_grid(aimed, {line_bx, line_by, line_bz}, way.from + end * way.direction);
     aimed.projectile.aim = glm::dvec2(0.0);
-    std::string fault = fire_along_line(aimed);
-    if (fault.empty()) {
+    Outcome outcome = fire_along_line(aimed);
+    if (outcome.refusal.empty()) {
         state = aimed;
     }
-    return fault;
+    return outcome;
 }
 
 } // namespace app

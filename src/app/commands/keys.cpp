@@ -92,11 +92,6 @@ std::string_view key_label(Key key)
     return find_key([key](const KeyName& name) { return name.key == key; }).label;
 }
 
-Key key_from_code(std::string_view code)
-{
-    return find_key([code](const KeyName& name) { return name.code == code; }).key;
-}
-
 Key key_from_number(int number)
 {
     return find_key([number](const KeyName& name) { return static_cast<int>(name.key) == number; }).key;

@@ -25,9 +25,6 @@ std::string_view key_code(Key key);
 /// Returns what is printed on the key of a US keyboard, such as "Q" or "Page Up"; "" for Key::none.
 std::string_view key_label(Key key);
 
-/// Returns the key with that KeyboardEvent.code, or Key::none.
-Key key_from_code(std::string_view code);
-
 /// Returns the key with that USB HID number (an SDL scancode), or Key::none if no command could use it.
 Key key_from_number(int number);
 

@@ -67,17 +67,17 @@ std::optional<Handle> handle_at(const State& state, const assets::Assets& assets
     return nearest;
 }
 
-std::string move_to_aim(State& state, const assets::Assets& assets)
+Outcome move_to_aim(State& state, const assets::Assets& assets)
 {
     if (state.camera.view == View::four) {
-        return std::string(NO_AIM_IN_FOUR_VIEWS);
+        return Outcome::refused(std::string(NO_AIM_IN_FOUR_VIEWS));
     }
     const CameraView camera = camera_view(state, assets);
     const ViewAxes axes = view_axes(camera);
     const Handle handle = state.projectile.handle;
     const double depth = glm::dot(place_of(state, handle) - camera.eye, axes.forward);
     if (depth < camera.near_plane) {
-        return "What is to be moved is behind the eye.";
+        return Outcome::refused("What is to be moved is behind the eye.");
     }
     const glm::dvec3 place = camera.eye + depth * direction_through(axes, state.projectile.aim);
     const Ids ids = fields_of(handle);

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/state/outcome.h"
 #include "app/state/state.h"
 #include "assets/assets.h"
 
 #include <glm/vec2.hpp>
 #include <optional>
-#include <string>
 
 namespace app {
 
@@ -14,7 +14,7 @@ namespace app {
 std::optional<Handle> handle_at(const State& state, const assets::Assets& assets, const glm::dvec2& aim);
 
 /// Moves what the keys move to where the aim points at, as deep in the picture as it is, and puts the aim
-/// back to the middle. Returns "", or a sentence when it is behind the eye.
-std::string move_to_aim(State& state, const assets::Assets& assets);
+/// back to the middle. Refused where it is behind the eye.
+Outcome move_to_aim(State& state, const assets::Assets& assets);
 
 } // namespace app

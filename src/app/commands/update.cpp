@@ -6,16 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace app {
 
 namespace {
 
 /// More than this many steps at once reach every limit of a relative move anyway.
-constexpr double MOST_RELATIVE_STEPS = 200.0;
+constexpr double MAX_RELATIVE_STEPS = 200.0;
 
 /// An amount beyond this reaches every limit, and cannot overflow.
-constexpr double LARGEST_AMOUNT = 1e9;
+constexpr double MAX_AMOUNT = 1e9;
 
 /// Multiplies by 1 + growth, or divides by 1 - growth when growth < 0, so that both directions undo each
 /// other.
@@ -28,7 +30,7 @@ double grown(double value, double growth)
 double grown_times(double value, double growth, double times)
 {
     const double towards = times < 0.0 ? -growth : growth;
-    const double size = std::min(std::fabs(times), MOST_RELATIVE_STEPS);
+    const double size = std::min(std::fabs(times), MAX_RELATIVE_STEPS);
     const int whole = static_cast<int>(size);
     for (int i = 0; i < whole; ++i) {
         value = grown(value, towards);
@@ -67,50 +69,55 @@ Moved moved_by(const State& state, const Move& move)
     return {fields()[static_cast<std::size_t>(first) + axis]};
 }
 
-void add(State& state, const Move& move, double amount)
+/// Sets a field and notes whether that changed it.
+void change(State& state, const Field& target, double value, FieldSet& changed)
+{
+    const double old = target.get(state);
+    target.set(state, value);
+    if (target.get(state) != old) {
+        changed.set(static_cast<std::size_t>(target.id));
+    }
+}
+
+void add(State& state, const Move& move, double amount, FieldSet& changed)
 {
     const auto [target, factor] = moved_by(state, move);
     const double old = target.get(state);
-    const double bounded = std::clamp(amount, -LARGEST_AMOUNT, LARGEST_AMOUNT);
+    const double bounded = std::clamp(amount, -MAX_AMOUNT, MAX_AMOUNT);
     const double moved =
         move.relative ? grown_times(old, move.rate, bounded) : old + bounded * move.rate * factor;
-    target.set(state, within_limits(target, moved));
+    change(state, target, within_limits(target, moved), changed);
 }
 
-/// Ends the event if anything it depends on is not what it was.
-void end_event_if_changed(const State& before, State& state)
+/// Ends the event if a field that it depends on has changed.
+void end_event_if_changed(State& state, Outcome& outcome)
 {
     if (state.event.kind == EventKind::none) {
         return;
     }
     for (const Field& field : fields()) {
-        if (matters_to_replay(field) && field.get(before) != field.get(state)) {
+        if (outcome.fields.test(static_cast<std::size_t>(field.id)) && matters_to_replay(field)) {
             state.event = {};
+            outcome.event_changed = true;
             return;
         }
     }
 }
 
 /// Lets the eye behind the tank stay where it is while the tank turns away under it, and swing back: by so
-/// much of the way each second. heading: before this tick. Returns whether it moved.
-bool swing_behind(State& state, double heading)
+/// much of the way each second. heading: before this tick.
+void swing_behind(State& state, double heading, FieldSet& changed)
 {
     constexpr double SHARE_PER_SECOND = 1.8;
     if (state.camera.view != View::follow) {
-        return false;
+        return;
     }
     const Field& chase = field(FieldId::chase);
     const double old = chase.get(state);
     const double left_behind = within_limits(chase, old + heading - state.joints[tank::Joint::heading]);
     const double swung = left_behind * (1.0 - SHARE_PER_SECOND / TICKS_PER_SECOND);
     // What no link can say is no swing any more: the picture comes to rest.
-    chase.set(state, to_grid(chase, swung) == 0 ? 0.0 : swung);
-    return chase.get(state) != old;
-}
-
-bool has_begun_anew(const State& before, const State& after)
-{
-    return after.seed != before.seed || after.revision.openings != before.revision.openings;
+    change(state, chase, to_grid(chase, swung) == 0 ? 0.0 : swung, changed);
 }
 
 std::string faulty_value(const Command& command, double value)
@@ -126,58 +133,74 @@ std::string faulty_value(const Command& command, double value)
     return {};
 }
 
-} // namespace
-
-std::string apply(State& state, const assets::Assets& assets, const Command& command, double value)
+/// Does what a key or button does once. What is refused has changed nothing.
+Outcome press(State& state, const assets::Assets& assets, const Command& command)
 {
-    if (std::string fault = faulty_value(command, value); !fault.empty()) {
-        return fault;
-    }
     const State before = state;
+    Outcome outcome = command.press(state, assets);
+    if (!outcome.refusal.empty()) {
+        state = before;
+        return outcome;
+    }
+    for (const Field& field : fields()) {
+        outcome.fields.set(static_cast<std::size_t>(field.id), field.get(before) != field.get(state));
+    }
+    return outcome;
+}
+
+Outcome execute(State& state, const assets::Assets& assets, const Command& command, double value)
+{
+    Outcome outcome;
     switch (command.kind) {
-    case CommandKind::hold:
-        state.held[static_cast<std::size_t>(&command - commands().data())] = value == 1.0;
+    case CommandKind::hold: {
+        const auto row = static_cast<std::size_t>(&command - commands().data());
+        outcome.holds_changed = state.held.test(row) != (value == 1.0);
+        state.held.set(row, value == 1.0);
         break;
+    }
     case CommandKind::press:
-        if (value == 1.0) {
-            if (std::string fault = command.press(state, assets); !fault.empty()) {
-                state = before;
-                return fault;
-            }
-        }
-        break;
+        return value == 1.0 ? press(state, assets, command) : outcome;
     case CommandKind::add:
-        for (const Move& move : command.used_moves()) {
-            add(state, move, value);
+        for (const Move& move : command.moves) {
+            add(state, move, value, outcome.fields);
         }
         break;
     case CommandKind::set:
-        for (const Move& move : command.used_moves()) {
+        for (const Move& move : command.moves) {
             const Field& target = field(move.field);
+            const double old = target.get(state);
             set_grid_value(target, state, to_grid_from_unit(target, value));
+            outcome.fields.set(static_cast<std::size_t>(target.id), target.get(state) != old);
         }
         break;
     }
-    if (!has_begun_anew(before, state)) {
-        end_event_if_changed(before, state);
-    }
-    if (state != before || state.revision.prints != before.revision.prints ||
-        state.revision.openings != before.revision.openings) {
-        ++state.revision.count;
-    }
-    return {};
+    return outcome;
 }
 
-std::string apply(State& state, const assets::Assets& assets, std::string_view name, double value)
+} // namespace
+
+Outcome apply(State& state, const assets::Assets& assets, const Command& command, double value)
+{
+    if (std::string fault = faulty_value(command, value); !fault.empty()) {
+        return Outcome::refused(std::move(fault));
+    }
+    Outcome outcome = execute(state, assets, command, value);
+    if (!outcome.opened && !outcome.fired) {
+        end_event_if_changed(state, outcome);
+    }
+    return outcome;
+}
+
+Outcome apply(State& state, const assets::Assets& assets, std::string_view name, double value)
 {
     const Command* command = find_command(name);
     if (command == nullptr) {
-        return "There is no command " + base::in_quotes(name) + ".";
+        return Outcome::refused("There is no command " + base::in_quotes(name) + ".");
     }
     return apply(state, assets, *command, value);
 }
 
-void step(State& state, const assets::Assets& assets)
+Outcome step(State& state, const assets::Assets& assets)
 {
     // Summed first, so that opposite holds cancel exactly and a limit is applied to the sum.
     FieldRates rates{};
@@ -188,7 +211,7 @@ void step(State& state, const assets::Assets& assets)
         if (!state.held[i]) {
             continue;
         }
-        for (const Move& move : all[i].used_moves()) {
+        for (const Move& move : all[i].moves) {
             if (move.along_heading) {
                 forward += move.field == FieldId::z ? move.rate : 0.0; // x goes along
                 continue;
@@ -201,7 +224,7 @@ void step(State& state, const assets::Assets& assets)
         add_driving(rates, state, assets, forward);
     }
     const double heading = state.joints[tank::Joint::heading];
-    bool changed = false;
+    Outcome outcome;
     for (const Field& field : fields()) {
         const double rate = rates[static_cast<std::size_t>(field.id)];
         const double growth = growths[static_cast<std::size_t>(field.id)];
@@ -210,22 +233,17 @@ void step(State& state, const assets::Assets& assets)
         }
         const double old = field.get(state);
         const double moved = grown(old + rate / TICKS_PER_SECOND, growth / TICKS_PER_SECOND);
-        field.set(state, within_limits(field, moved));
-        if (field.get(state) != old) {
-            changed = true;
-            if (matters_to_replay(field)) {
-                state.event = {};
-            }
-        }
+        change(state, field, within_limits(field, moved), outcome.fields);
     }
+    end_event_if_changed(state, outcome);
     if (rates[static_cast<std::size_t>(FieldId::chase)] == 0.0) {
-        changed |= swing_behind(state, heading);
+        swing_behind(state, heading, outcome.fields);
     }
-    changed |= step_event(state);
+    const bool flew = state.shot.flies;
+    outcome.event_changed |= step_event(state);
+    outcome.landed = flew && !state.shot.flies;
     ++state.tick;
-    if (changed) {
-        ++state.revision.count;
-    }
+    return outcome;
 }
 
 } // namespace app

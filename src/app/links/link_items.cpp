@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t MOST_MESSAGES = 10;
+constexpr std::size_t MAX_MESSAGES = 10;
 
 std::optional<int> hex_digit(char c)
 {
@@ -90,7 +90,7 @@ void Messages::add(std::string message)
     if (std::find(messages_.begin(), messages_.end(), message) != messages_.end()) {
         return;
     }
-    if (messages_.size() < MOST_MESSAGES) {
+    if (messages_.size() < MAX_MESSAGES) {
         messages_.push_back(std::move(message));
     } else {
         ++more_;

@@ -39,11 +39,11 @@ std::vector<Item> read_items(std::string_view fragment, Messages& messages);
 void report_duplicates(std::span<const Item> items, Messages& messages);
 
 /// Returns an item's value on the field's grid, clamped to its limits, which is said; nothing, having said
-/// why, if it is none of the field's.
+/// why, if the field has no such value.
 std::optional<std::int64_t> read_value(const Field& field, const Item& item, Messages& messages);
 
 /// Returns an item's value as a whole number within limits, clamped to them, which is said; nothing, having
-/// said why, if it is none.
+/// said why, if it is not one.
 std::optional<std::int64_t> read_count(const Item& item, std::int64_t lowest, std::int64_t highest,
                                        Messages& messages);
 

@@ -95,7 +95,7 @@ Replay read_replay(std::span<const Item> items, Replay replay, Messages& message
             replay.kind = static_cast<EventKind>(found - EVENT_NAMES.begin());
             has_kind = true;
         } else if (item.key == "tick") {
-            if (const auto tick = read_count(item, 0, LONGEST_REPLAY, messages)) {
+            if (const auto tick = read_count(item, 0, MAX_REPLAY_TICKS, messages)) {
                 replay.tick = *tick;
                 is_asked = true;
             }
@@ -174,15 +174,6 @@ void append_item(std::string& link, std::string_view key, std::string_view value
     link += value;
 }
 
-/// Puts an opened state in the place of one in use.
-void replace(State& state, State opened)
-{
-    opened.revision = state.revision;
-    ++opened.revision.count;
-    ++opened.revision.openings;
-    state = opened;
-}
-
 std::string written_value(const Field& field, std::int64_t value)
 {
     return field.choices.empty() ? base::write_decimal(value, field.unit.decimals)
@@ -246,30 +237,24 @@ State snapped(const State& state)
         result.shot = state.shot;
         result.tick = state.event.age;
     }
-    result.revision = state.revision;
     return result;
 }
 
 LinkResult open_link(State& state, std::string_view fragment)
 {
     Messages messages;
-    if (fragment.size() > LONGEST_LINK) {
-        messages.add("The link is longer than " + base::write_decimal(LONGEST_LINK, 0) +
+    if (fragment.size() > MAX_LINK_BYTES) {
+        messages.add("The link is longer than " + base::write_decimal(MAX_LINK_BYTES, 0) +
                      " characters and is not used.");
-        return {messages.take()};
+        return {.messages = messages.take(), .outcome = {}};
     }
     if (!fragment.empty() && fragment[0] == '#') {
         fragment.remove_prefix(1);
     }
     const std::vector<Item> items = read_items(fragment, messages);
     report_duplicates(items, messages);
-    replace(state, read_state(items, read_task(items, messages), messages));
-    return {messages.take()};
-}
-
-void open_task(State& state, std::size_t task)
-{
-    replace(state, starting_state(task));
+    state = read_state(items, read_task(items, messages), messages);
+    return {.messages = messages.take(), .outcome = {.opened = true}};
 }
 
 } // namespace app

@@ -75,8 +75,8 @@ void add_hierarchy(std::vector<Fact>& facts, const Simulation& simulation)
     const collision::SphereHierarchy& spheres = simulation.spheres().hierarchy();
     facts.push_back({"Sphere around all parts' spheres", metres(spheres.root().radius)});
     facts.push_back({"Sphere of all vertices at rest", metres(spheres.whole().radius)});
-    facts.push_back({"Part spheres computed anew", std::to_string(spheres.refit_counts().parts)});
-    facts.push_back({"Root spheres computed anew", std::to_string(spheres.refit_counts().roots)});
+    facts.push_back({"Part spheres recomputed", std::to_string(spheres.refit_counts().parts)});
+    facts.push_back({"Root spheres recomputed", std::to_string(spheres.refit_counts().roots)});
 }
 
 void add_hits(std::vector<Fact>& facts, const Simulation& simulation)
@@ -172,7 +172,7 @@ std::vector<Fact> facts(const Simulation& simulation)
 {
     std::vector<Fact> facts;
     if (!simulation.state().task) {
-        const lod::Level level = simulation.frame().tanks[0].level;
+        const lod::Level level = simulation.shown_level();
         facts.push_back({"Level", std::string(lod::level_name(level))});
         facts.push_back({"Triangles", std::to_string(triangles(simulation, level))});
         add_hits(facts, simulation);
@@ -185,6 +185,13 @@ std::vector<Fact> facts(const Simulation& simulation)
         facts.push_back({"Tank", "your own, scaled by " + base::factor_text(simulation.assets().scale)});
     }
     return facts;
+}
+
+std::size_t triangles_drawn(const Simulation& simulation)
+{
+    const bool is_low_besides = simulation.state().show.detail == Detail::both;
+    return triangles(simulation, simulation.shown_level()) +
+           (is_low_besides ? triangles(simulation, lod::Level::low) : 0);
 }
 
 } // namespace app

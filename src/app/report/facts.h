@@ -2,6 +2,7 @@
 
 #include "app/simulation/simulation.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,5 +21,8 @@ struct Fact
 /// Of a tank that the user brought, by which factor it is scaled.
 /// Without a task: the level, the triangles drawn and, if something is tested, what is penetrated.
 std::vector<Fact> facts(const Simulation& simulation);
+
+/// Returns the number of triangles of the tanks that are drawn.
+std::size_t triangles_drawn(const Simulation& simulation);
 
 } // namespace app

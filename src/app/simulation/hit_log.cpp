@@ -7,7 +7,7 @@ namespace app {
 
 void HitLog::append(std::string text)
 {
-    if (lines_.size() == MOST_LINES) {
+    if (lines_.size() == MAX_LINES) {
         lines_.erase(lines_.begin());
     }
     lines_.push_back({count_, std::move(text)});

@@ -21,7 +21,7 @@ class HitLog
 {
 public:
     /// More lines than this are not kept.
-    static constexpr std::size_t MOST_LINES = 200;
+    static constexpr std::size_t MAX_LINES = 200;
 
     /// Prints a report if it says something else than the last one, or if asked for. Returns whether it did.
     bool print(std::span<const std::string> lines, bool is_asked);

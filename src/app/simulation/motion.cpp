@@ -2,11 +2,26 @@
 
 #include "app/state/ticks.h"
 
+#include <utility>
+
 namespace app {
 
 namespace {
 
 constexpr std::uint8_t LINGERS = 2 * TICKS_PER_SECOND / 5;
+
+/// Which joint moves with which field: driving moves the body, as turning it does.
+constexpr std::pair<FieldId, tank::Joint> JOINT_OF_FIELD[] = {
+    {FieldId::turret, tank::Joint::turret},
+    {FieldId::main_gun, tank::Joint::main_gun},
+    {FieldId::secondary_gun, tank::Joint::secondary_gun},
+    {FieldId::secondary_gun_pitch, tank::Joint::secondary_gun_pitch},
+    {FieldId::wheels_left, tank::Joint::wheels_left},
+    {FieldId::wheels_right, tank::Joint::wheels_right},
+    {FieldId::heading, tank::Joint::heading},
+    {FieldId::x, tank::Joint::heading},
+    {FieldId::z, tank::Joint::heading},
+};
 
 /// Returns how many joints lie between a part and the body.
 int depth(const tank::Layout& layout, tank::Part part)
@@ -20,15 +35,12 @@ int depth(const tank::Layout& layout, tank::Part part)
 
 } // namespace
 
-void Motion::follow(const State& before, const State& after)
+void Motion::follow(const FieldSet& changed)
 {
-    for (std::size_t joint = 0; joint < tank::JOINT_COUNT; ++joint) {
-        if (before.joints.radians[joint] != after.joints.radians[joint]) {
-            ticks_left_[joint] = LINGERS;
+    for (const auto& [field, joint] : JOINT_OF_FIELD) {
+        if (changed.test(static_cast<std::size_t>(field))) {
+            ticks_left_[tank::index_of(joint)] = LINGERS;
         }
-    }
-    if (before.x != after.x || before.z != after.z) {
-        ticks_left_[tank::index_of(tank::Joint::heading)] = LINGERS;
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/state/state.h"
+#include "app/state/outcome.h"
 #include "collision/part_set.h"
 #include "tank/joint.h"
 #include "tank/layout.h"
@@ -17,8 +17,8 @@ namespace app {
 class Motion
 {
 public:
-    /// Takes in what a command or a step has changed.
-    void follow(const State& before, const State& after);
+    /// Takes in which fields a command or a step has changed.
+    void follow(const FieldSet& changed);
 
     /// Advances by one tick, before what that tick moves is taken in. Returns whether a joint has come to
     /// rest.

@@ -10,10 +10,18 @@ namespace app {
 
 namespace {
 
-bool same_probe(const Projectile& one, const Projectile& other)
+/// The fields that say what is tested and how.
+constexpr FieldId PROBE_FIELDS[] = {FieldId::probe,   FieldId::point_x,      FieldId::point_y,
+                                    FieldId::point_z, FieldId::point_radius, FieldId::line_ax,
+                                    FieldId::line_ay, FieldId::line_az,      FieldId::line_bx,
+                                    FieldId::line_by, FieldId::line_bz,      FieldId::triangles};
+
+constexpr FieldId PARTICLE_FIELDS[] = {FieldId::particles, FieldId::amount};
+
+bool any_of(const FieldSet& fields, std::span<const FieldId> ids)
 {
-    return one.probe == other.probe && one.point == other.point && one.radius == other.radius &&
-           one.a == other.a && one.b == other.b;
+    return std::any_of(ids.begin(), ids.end(),
+                       [&](FieldId id) { return fields.test(static_cast<std::size_t>(id)); });
 }
 
 } // namespace
@@ -21,42 +29,48 @@ bool same_probe(const Projectile& one, const Projectile& other)
 Simulation::Simulation(const assets::Assets& assets)
     : lab_(&assets), assets_(&assets), spheres_(assets), triangles_(assets)
 {
-    update_level(true);
+    restart_level();
     begin_event();
     set_up_particles();
 }
 
-std::string Simulation::apply(const Command& command, double value)
+Outcome Simulation::apply(const Command& command, double value)
 {
-    const State before = state_;
-    std::string fault = app::apply(state_, *assets_, command, value);
-    follow(before);
-    return fault;
+    Outcome outcome = app::apply(state_, *assets_, command, value);
+    if (outcome.refusal.empty()) {
+        follow(outcome);
+    }
+    return outcome;
 }
 
-std::string Simulation::apply(std::string_view name, double value)
+Outcome Simulation::apply(std::string_view name, double value)
 {
     const Command* command = find_command(name);
-    return command == nullptr ? "There is no command " + base::in_quotes(name) + "." : apply(*command, value);
+    return command == nullptr ? Outcome::refused("There is no command " + base::in_quotes(name) + ".")
+                              : apply(*command, value);
 }
 
-void Simulation::step()
+Outcome Simulation::step()
 {
-    const State before = state_;
     const bool has_come_to_rest = motion_.step();
-    app::step(state_, *assets_);
-    follow(before);
-    if (has_come_to_rest) {
-        ++state_.revision.count;
+    Outcome outcome = app::step(state_, *assets_);
+    follow(outcome);
+    const bool is_counted = outcome.is_visible();
+    outcome.animated = has_come_to_rest;
+    meet(outcome);
+    if (!is_counted && outcome.is_visible()) {
+        ++revision_;
     }
-    meet();
+    return outcome;
 }
 
-void Simulation::bring(const assets::Assets* own)
+Outcome Simulation::set_user_tank(const assets::Assets* own)
 {
     own_ = own;
+    Outcome outcome;
     if (choose_tank()) {
-        ++state_.revision.count;
+        outcome.tank_replaced = true;
+        ++revision_;
         update_report(false);
         if (state_.event.kind == EventKind::none) {
             begin_event();
@@ -64,6 +78,7 @@ void Simulation::bring(const assets::Assets* own)
             replay();
         }
     }
+    return outcome;
 }
 
 /// Makes the tank that the state asks for the one that is shown. Returns whether it is another one now.
@@ -82,38 +97,39 @@ bool Simulation::choose_tank()
 
 LinkResult Simulation::open_link(std::string_view fragment)
 {
-    const State before = state_;
     LinkResult result = app::open_link(state_, fragment);
-    follow(before);
+    if (result.outcome.opened) {
+        follow(result.outcome);
+    }
     return result;
 }
 
-/// Brings everything up to date after the state has changed.
-void Simulation::follow(const State& before)
+/// Brings everything up to date after the state has changed, and adds what that brought about.
+void Simulation::follow(Outcome& outcome)
 {
-    const bool is_other_tank = choose_tank();
-    const bool has_moved = spheres_.refit(state_) || is_other_tank;
-    const bool is_opened = state_.revision.openings != before.revision.openings;
-    const bool is_asked = state_.revision.prints != before.revision.prints;
-    const bool is_other_test = state_.show.triangles != before.show.triangles;
-    if (has_moved || is_opened || is_asked || is_other_test ||
-        !same_probe(before.projectile, state_.projectile)) {
-        update_report(is_asked);
+    outcome.tank_replaced = choose_tank();
+    const bool has_moved = spheres_.refit(state_) || outcome.tank_replaced;
+    if (has_moved || outcome.opened || outcome.printed || any_of(outcome.fields, PROBE_FIELDS)) {
+        update_report(outcome.printed);
     }
-    update_level(is_opened);
-    if (is_opened) {
+    if (outcome.opened) {
+        restart_level();
         motion_.forget();
     } else {
-        motion_.follow(before, state_);
+        outcome.switched = update_level();
+        motion_.follow(outcome.fields);
     }
-    if (is_opened || state_.particles != before.particles) {
+    if (outcome.opened || any_of(outcome.fields, PARTICLE_FIELDS)) {
         set_up_particles();
     }
-    if (is_opened) {
+    if (outcome.is_visible()) {
+        ++revision_;
+    }
+    if (outcome.opened) {
         replay();
-    } else if (is_other_tank || state_.seed != before.seed) {
+    } else if (outcome.tank_replaced || outcome.fired) {
         begin_event();
-    } else if (before.shot.flies && !state_.shot.flies) {
+    } else if (outcome.landed) {
         // The projectile is back where it rests, and stays inside of what it is inside of there.
         contacts_.forget();
         if (state_.projectile.probe == Probe::point) {
@@ -128,7 +144,7 @@ void Simulation::replay()
     const std::uint32_t age = state_.event.age;
     app::begin_event(state_, state_.event.kind, 0);
     state_.tick = 0;
-    sparks_.put_out(); // a link says all there is, and nothing of what was before it
+    sparks_.extinguish(); // a link says all there is, and nothing of what was before it
     begin_event();
     const Camera camera = state_.camera; // a link says where the eye is now, not where it was then
     for (std::uint32_t tick = 0; tick < age; ++tick) {
@@ -158,26 +174,29 @@ void Simulation::set_up_particles()
     particles_.restart(state_.seed);
 }
 
-void Simulation::update_level(bool is_opened)
+void Simulation::restart_level()
 {
-    const double distance = eye_distance(state_);
-    if (is_opened) {
-        level_.start(distance, state_.show.threshold);
-        level_switches_ = 0;
-    } else if (level_.update(distance, lod::band_by_fraction(state_.show.threshold))) {
-        ++level_switches_;
-        ++state_.revision.count;
-    }
+    level_.start(eye_distance(state_), state_.show.threshold);
+    level_switches_ = 0;
+}
+
+bool Simulation::update_level()
+{
+    const bool has_switched =
+        level_.update(eye_distance(state_), lod::band_by_fraction(state_.show.threshold));
+    level_switches_ += has_switched ? 1 : 0;
+    return has_switched;
 }
 
 /// Lets the projectile meet the spheres on the way of this step, and the sparks fly.
-void Simulation::meet()
+void Simulation::meet(Outcome& outcome)
 {
     const bool is_there = state_.shot.flies || state_.projectile.probe == Probe::point;
     const std::optional<glm::dvec3> position =
         is_there ? std::optional(projectile_position(state_)) : std::nullopt;
     contacts_.move(position, state_.projectile.radius, spheres_.hierarchy(),
-                   [this](std::size_t part, const glm::dvec3& place) {
+                   [this, &outcome](std::size_t part, const glm::dvec3& place) {
+                       outcome.hit = true;
                        ++touches_;
                        sparks_.burst(place);
                        log_.note("The projectile touches " +
@@ -185,18 +204,29 @@ void Simulation::meet()
                                  base::in_metres(place) + ".");
                    });
     sparks_.shower(contacts_.inside().is_empty() ? std::nullopt : position);
-    const bool was_active = sparks_.is_active() || particles_.is_active();
+    outcome.animated = outcome.animated || sparks_.is_active() || particles_.is_active();
     constexpr double SECONDS = 1.0 / TICKS_PER_SECOND;
     sparks_.step(SECONDS);
     particles_.step(SECONDS);
-    if (was_active) {
-        ++state_.revision.count;
-    }
 }
 
 lod::Level Simulation::level() const
 {
-    return level_.level == lod::Level::low ? lod::Level::low : lod::Level::high;
+    return level_.level;
+}
+
+lod::Level Simulation::shown_level() const
+{
+    switch (state_.show.detail) {
+    case Detail::automatic:
+        return level();
+    case Detail::low:
+        return lod::Level::low;
+    case Detail::high:
+    case Detail::both:
+        break;
+    }
+    return lod::Level::high;
 }
 
 std::uint64_t Simulation::hash() const

@@ -8,6 +8,7 @@
 #include "app/simulation/motion.h"
 #include "app/simulation/sparks.h"
 #include "app/simulation/tank_spheres.h"
+#include "app/state/outcome.h"
 #include "app/state/state.h"
 #include "app/view/frame.h"
 #include "assets/assets.h"
@@ -30,19 +31,22 @@ public:
     /// Begins in the default state. `assets` must outlive this.
     explicit Simulation(const assets::Assets& assets);
 
-    /// Does a command: see app::apply().
-    std::string apply(const Command& command, double value);
-    std::string apply(std::string_view name, double value);
+    /// Executes a command and returns what happened: see app::apply().
+    Outcome apply(const Command& command, double value);
+    Outcome apply(std::string_view name, double value);
 
-    /// Advances by one tick: see app::step().
-    void step();
+    /// Advances by one tick and returns what happened: see app::step().
+    Outcome step();
 
     /// Takes the tank that the user brought, or none, in place of the one before; the state that asks for it
     /// gets it, and what a link has under way is replayed with it. `own` must outlive this.
-    void bring(const assets::Assets* own);
+    Outcome set_user_tank(const assets::Assets* own);
 
     /// Opens a fragment: see app::open_link(). What a link has under way is replayed.
     LinkResult open_link(std::string_view fragment);
+
+    /// Counts the changes that people could see so far, for whoever shows them.
+    std::uint64_t revision() const { return revision_; }
 
     const State& state() const { return state_; }
 
@@ -71,6 +75,9 @@ public:
     /// Returns the parts whose joints move right now: see Motion::parts().
     collision::PartSet moving_parts() const { return motion_.parts(assets_->layout); }
 
+    /// Returns the level of the tank that is drawn; of both side by side, the first one's.
+    lod::Level shown_level() const;
+
     /// Returns the level by distance, with its memory, and how often it has switched since the last opening.
     lod::Level level() const;
     std::uint64_t level_switches() const { return level_switches_; }
@@ -84,13 +91,14 @@ public:
     Frame frame() const;
 
 private:
-    void follow(const State& before);
+    void follow(Outcome& outcome);
     bool choose_tank();
     void replay();
     void begin_event();
     void set_up_particles();
-    void update_level(bool is_opened);
-    void meet();
+    void restart_level();
+    bool update_level();
+    void meet(Outcome& outcome);
     void update_report(bool is_asked);
 
     const assets::Assets* lab_;
@@ -108,6 +116,7 @@ private:
     Motion motion_;
     lod::LevelSelector level_;
     std::uint64_t level_switches_ = 0;
+    std::uint64_t revision_ = 0;
 };
 
 } // namespace app

@@ -33,14 +33,14 @@ void add_sphere(Frame& frame, SpheresShown shown, const SphereInFrame& sphere)
 {
     if (sphere.radius >= 0.0 &&
         is_drawn(shown, sphere.is_root, sphere.is_penetrated, frame.parts.contains(index_of(sphere.part)))) {
-        frame.spheres[frame.sphere_count++] = sphere;
+        frame.spheres.push_back(sphere);
     }
 }
 
 void add_particles(Frame& frame, const particles::ParticleSystem& system)
 {
     if (system.live() > 0) {
-        frame.particles[frame.particle_view_count++] = system.view();
+        frame.particles.push_back(system.view());
     }
 }
 
@@ -79,8 +79,7 @@ Frame Simulation::frame() const
                     .is_penetrated = explanation.hits.contains(tank::index_of(part)) ||
                                      contacts_.inside().contains(tank::index_of(part))});
     }
-    const auto used = frame.spheres.begin() + static_cast<std::ptrdiff_t>(frame.sphere_count);
-    std::sort(frame.spheres.begin(), used,
+    std::sort(frame.spheres.begin(), frame.spheres.end(),
               [eye = frame.camera.eye](const SphereInFrame& one, const SphereInFrame& other) {
                   const double to_one = glm::distance(one.centre, eye);
                   const double to_other = glm::distance(other.centre, eye);
@@ -91,15 +90,15 @@ Frame Simulation::frame() const
                                                         : one.part < other.part;
               });
     if (explanation.root.is_inside) {
-        frame.closest_points[frame.closest_point_count++] = {explanation.root.closest_point,
-                                                             explanation.root.sphere.centre, true};
+        frame.closest_points.push_back(
+            {explanation.root.closest_point, explanation.root.sphere.centre, true});
     }
     explanation.hits.for_each([&](std::size_t part) {
         const collision::SphereTest& test = explanation.parts[part];
-        frame.closest_points[frame.closest_point_count++] = {test.closest_point, test.sphere.centre, false};
+        frame.closest_points.push_back({test.closest_point, test.sphere.centre, false});
     });
     for (const TriangleTest& test : report_.triangles) {
-        frame.triangles[frame.triangle_count++] = {test.corners, test.point, test.is_inside};
+        frame.triangles.push_back({test.corners, test.point, test.is_inside});
     }
     return frame;
 }

@@ -11,7 +11,7 @@ namespace {
 using particles::ParticleSystem;
 using particles::PresetName;
 
-const glm::vec3 AT_REST(0.0F);
+const glm::vec3 AT_REST(0.0f);
 
 void set_up(ParticleSystem& system, PresetName name)
 {
@@ -40,7 +40,7 @@ void Sparks::begin(std::uint64_t seed)
     current().shower.restart(~seed); // other numbers than the bursts'
 }
 
-void Sparks::put_out()
+void Sparks::extinguish()
 {
     begin(0);
     begin(0); // of the event before, too

@@ -22,7 +22,7 @@ public:
     void begin(std::uint64_t seed);
 
     /// Leaves no spark alight, neither of the event that goes on nor of the one before it.
-    void put_out();
+    void extinguish();
 
     /// Makes one burst. Metres.
     void burst(const glm::dvec3& position);

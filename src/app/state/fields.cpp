@@ -163,7 +163,7 @@ Field choice_field(FieldId id, std::string_view name, std::string_view title, Gr
 constexpr double FURTHEST = 400.0;
 
 /// The near plane is never further away than this, so a threshold can be everywhere beyond it. Metres.
-constexpr double NEAREST_THRESHOLD = 1.0;
+constexpr double MIN_THRESHOLD = 1.0;
 
 /// The distance d that is shipped, in millimetres. `tanklab-render --measure-threshold` finds that no patches
 /// differ from about 32 m on; there, side by side, an eye still finds the edges of camouflage, which the low
@@ -260,11 +260,11 @@ std::array<Field, FIELD_COUNT> make_fields()
         choice_field(particles, "particles", "Particles", Group::particles, particle_choices(), 0,
                      in_state<&State::particles, &ParticleShow::preset>()),
         plain_field(amount, "amount", "Most particles", Group::particles, CHOICE,
-                    {.minimum = 0.0, .maximum = particles::most_places, .initial = 500},
+                    {.minimum = 0.0, .maximum = particles::MAX_PARTICLES, .initial = 500},
                     in_state<&State::particles, &ParticleShow::amount>()),
         choice_field(detail, "detail", "Model", Group::detail, DETAILS, 0, in_show<&Show::detail>()),
         plain_field(threshold, "threshold", "Threshold distance", Group::detail, METRES,
-                    {.minimum = NEAREST_THRESHOLD, .maximum = FURTHEST, .initial = DEFAULT_THRESHOLD},
+                    {.minimum = MIN_THRESHOLD, .maximum = FURTHEST, .initial = DEFAULT_THRESHOLD},
                     in_show<&Show::threshold>()),
         choice_field(parts, "parts", "Parts drawn", Group::picture, PARTS, 0, in_show<&Show::parts>()),
         choice_field(axis, "axis", "Axis drawn", Group::picture, AXES, 0, in_show<&Show::axis>()),

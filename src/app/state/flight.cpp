@@ -71,7 +71,7 @@ std::string begin_event(State& state, EventKind kind, std::uint32_t age)
 bool step_event(State& state)
 {
     const bool flew = state.shot.flies;
-    if (flew && is_within_bounds(position_of(state.shot)) && state.shot.age < LONGEST_REPLAY) {
+    if (flew && is_within_bounds(position_of(state.shot)) && state.shot.age < MAX_REPLAY_TICKS) {
         ++state.shot.age;
     } else {
         state.shot.flies = false;
@@ -80,7 +80,7 @@ bool step_event(State& state)
         ++state.event.age;
         const bool is_out = state.event.kind == EventKind::fire && !state.shot.flies &&
                             state.event.age > state.shot.age + AFTERGLOW;
-        if (is_out || state.event.age > LONGEST_REPLAY) {
+        if (is_out || state.event.age > MAX_REPLAY_TICKS) {
             state.event = {};
         }
     }

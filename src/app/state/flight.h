@@ -30,7 +30,7 @@ std::string begin_event(State& state, EventKind kind, std::uint32_t age);
 
 /// Advances the shot and the event by a tick. A shot ends one tick after it has left the places where the
 /// projectile can be, so that every way it went has been a step; the event a second after that.
-/// Returns whether the shot has moved or ended.
+/// Returns whether the shot has moved or ended, which people see.
 bool step_event(State& state);
 
 } // namespace app

@@ -72,12 +72,12 @@ constexpr std::string_view event_name(EventKind kind)
 struct Event
 {
     EventKind kind = EventKind::none;
-    std::uint32_t age = 0; ///< ticks since; at most LONGEST_REPLAY
+    std::uint32_t age = 0; ///< ticks since; at most MAX_REPLAY_TICKS
 
     friend bool operator==(const Event&, const Event&) = default;
 };
 
 /// A link replays at most this many ticks: a minute.
-constexpr std::uint32_t LONGEST_REPLAY = 3600;
+constexpr std::uint32_t MAX_REPLAY_TICKS = 3600;
 
 } // namespace app

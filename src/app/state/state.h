@@ -51,19 +51,8 @@ struct ParticleShow
     friend bool operator==(const ParticleShow&, const ParticleShow&) = default;
 };
 
-/// Counts the changes of a state. Every two revisions compare equal: two states with the same content are
-/// equal, however they came about.
-struct Revision
-{
-    std::uint64_t count = 0;
-    std::uint64_t openings = 0; ///< of links and tasks
-    std::uint64_t prints = 0;   ///< of the hit report, asked for
-
-    friend constexpr bool operator==(Revision, Revision) { return true; }
-};
-
 /// At most this many rows of the table of commands can be held.
-constexpr std::size_t MAXIMUM_HELD_COMMANDS = 128;
+constexpr std::size_t MAX_HELD_COMMANDS = 128;
 
 /// Seeds are from 1 to this; a firing takes the next one.
 constexpr std::uint64_t FIRST_SEED = 1;
@@ -78,7 +67,8 @@ enum class TankShown : std::uint8_t
 };
 
 /// Holds everything that can change while the program runs, as plain data: copy it, compare it, hash it.
-/// Only apply(), step() and open_link() change one that is in use; each change counts up the revision.
+/// Only apply(), step() and open_link() change one that is in use, and they say what has
+/// changed: see Outcome.
 struct State
 {
     tank::JointAngles joints; ///< within tank::joint_limits
@@ -91,11 +81,10 @@ struct State
     ParticleShow particles;
     Shot shot;
     Event event;
-    std::optional<std::size_t> task;         ///< the row of tasks() that the state was opened with
-    std::bitset<MAXIMUM_HELD_COMMANDS> held; ///< by row of commands()
-    std::uint64_t tick = 0;                  ///< steps of 1/60 s since the state was opened
-    std::uint64_t seed = FIRST_SEED;         ///< of the random numbers since the event
-    Revision revision;                       ///< counts changes people can see; ticks alone are none
+    std::optional<std::size_t> task;     ///< the row of tasks() that the state was opened with
+    std::bitset<MAX_HELD_COMMANDS> held; ///< by row of commands()
+    std::uint64_t tick = 0;              ///< steps of 1/60 s since the state was opened
+    std::uint64_t seed = FIRST_SEED;     ///< of the random numbers since the event
 
     /// Makes the state that an empty link describes: every field has its default from the table of fields.
     State();
@@ -104,7 +93,7 @@ struct State
 };
 
 /// Returns the state as bytes, the same on every machine: the fields in the table's order, then the rest.
-/// The revision is left out. Equal states have equal bytes.
+/// Equal states have equal bytes.
 std::string serialised(const State& state);
 
 /// Returns the 64-bit FNV-1a hash of serialised(state).

@@ -125,10 +125,10 @@ double eye_distance(const State& state)
     return state.camera.view == View::gunner ? 0.0 : state.camera.distance;
 }
 
-double heightening(double aspect)
+double vertical_fov_scale(double aspect)
 {
-    constexpr double LEAST_ASPECT = 5.0 / 4.0;
-    return std::max(1.0, LEAST_ASPECT / aspect);
+    constexpr double MIN_ASPECT = 5.0 / 4.0;
+    return std::max(1.0, MIN_ASPECT / aspect);
 }
 
 ViewAxes view_axes(const CameraView& camera)

@@ -52,7 +52,7 @@ double eye_distance(const State& state);
 
 /// Returns how much more a narrow window shows from bottom to top than CameraView::field_of_view says, so
 /// that it shows as much from side to side as one of 5 : 4: 1 for any wider one. aspect: width / height.
-double heightening(double aspect);
+double vertical_fov_scale(double aspect);
 
 /// Says where things are in the window: the axes of a view, each of unit length.
 struct ViewAxes

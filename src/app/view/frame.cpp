@@ -13,7 +13,7 @@ namespace app {
 namespace {
 
 /// A projectile is drawn no smaller than this. Metres.
-constexpr double SMALLEST_DRAWN_RADIUS = 0.08;
+constexpr double MIN_DRAWN_RADIUS = 0.08;
 
 /// Lines without an end are drawn so far beyond their handles: further than anything can be seen. Metres.
 constexpr double FAR_AWAY = 1500.0;
@@ -57,7 +57,7 @@ ProbeInFrame probe_of(const Projectile& projectile)
     const bool has_end = projectile.probe != Probe::ray && projectile.probe != Probe::line;
     return {.probe = projectile.probe,
             .point = projectile.point,
-            .point_radius = std::max(projectile.radius, SMALLEST_DRAWN_RADIUS),
+            .point_radius = std::max(projectile.radius, MIN_DRAWN_RADIUS),
             .a = a,
             .b = b,
             .from = projectile.probe == Probe::line ? a - beyond : a,
@@ -100,14 +100,12 @@ AxisInFrame axis_in(const glm::dmat4& frame, const glm::dvec3& pivot, const glm:
 /// that from above below the side's.
 void add_panes(Frame& frame, const State& state)
 {
-    frame.pane_count = 1;
-    frame.panes[0] = {.left = 0, .bottom = 0, .parts = 1, .camera = frame.camera};
+    frame.panes = {{.left = 0, .bottom = 0, .parts = 1, .camera = frame.camera}};
     if (state.camera.view == View::four) {
-        frame.pane_count = 4;
-        frame.panes = {{{.left = 0, .bottom = 1, .parts = 2, .camera = side_view(state, SeenFrom::front)},
-                        {.left = 1, .bottom = 1, .parts = 2, .camera = side_view(state, SeenFrom::left)},
-                        {.left = 1, .bottom = 0, .parts = 2, .camera = side_view(state, SeenFrom::above)},
-                        {.left = 0, .bottom = 0, .parts = 2, .camera = frame.camera}}};
+        frame.panes = {{.left = 0, .bottom = 1, .parts = 2, .camera = side_view(state, SeenFrom::front)},
+                       {.left = 1, .bottom = 1, .parts = 2, .camera = side_view(state, SeenFrom::left)},
+                       {.left = 1, .bottom = 0, .parts = 2, .camera = side_view(state, SeenFrom::above)},
+                       {.left = 0, .bottom = 0, .parts = 2, .camera = frame.camera}};
     }
 }
 
@@ -140,13 +138,11 @@ Frame make_frame(const State& state, const assets::Assets& assets)
     frame.camera = camera_view(state, assets);
     add_panes(frame, state);
     frame.reticle = state.camera.view == View::gunner;
-    frame.tanks[0] = {.position = {state.x, 0.0, state.z}, .joints = state.joints, .level = level_of(state)};
-    frame.tank_count = 1;
+    frame.tanks = {{.position = {state.x, 0.0, state.z}, .joints = state.joints, .level = level_of(state)}};
     if (state.show.detail == Detail::both) {
-        frame.tanks[1] = frame.tanks[0];
-        frame.tanks[1].position.x += BESIDE;
-        frame.tanks[1].level = lod::Level::low;
-        frame.tank_count = 2;
+        app::TankInFrame& low = frame.tanks.push_back(frame.tanks[0]);
+        low.position.x += BESIDE;
+        low.level = lod::Level::low;
     }
     frame.parts = shown_parts(state);
     frame.ground = state.show.ground;
@@ -155,7 +151,7 @@ Frame make_frame(const State& state, const assets::Assets& assets)
     frame.shot = {.flies = state.shot.flies,
                   .position = position_of(state.shot),
                   .velocity = state.shot.velocity,
-                  .radius = std::max(state.projectile.radius, SMALLEST_DRAWN_RADIUS)};
+                  .radius = std::max(state.projectile.radius, MIN_DRAWN_RADIUS)};
     frame.axis = shown_axis(state, assets);
     frame.threshold = state.show.threshold;
     return frame;

@@ -3,6 +3,7 @@
 #include "app/state/state.h"
 #include "app/view/camera_view.h"
 #include "assets/assets.h"
+#include "base/static_vector.h"
 #include "collision/part_set.h"
 #include "particles/particle_view.h"
 #include "tank/joint.h"
@@ -11,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
-#include <span>
 
 namespace app {
 
@@ -93,46 +93,27 @@ struct PaneInFrame
 /// the particles are views, which last until the Simulation they come from is next changed.
 struct Frame
 {
-    static constexpr std::size_t MOST_TANKS = 2;
-    static constexpr std::size_t MOST_SPHERES = 1 + tank::PART_COUNT;
-    static constexpr std::size_t MOST_PARTICLES = 5;
-    static constexpr std::size_t MOST_PANES = 4;
+    static constexpr std::size_t MAX_TANKS = 2;
+    static constexpr std::size_t MAX_SPHERES = 1 + tank::PART_COUNT;
+    static constexpr std::size_t MAX_PARTICLES = 5;
+    static constexpr std::size_t MAX_PANES = 4;
 
     CameraView camera; ///< of the pane that is drawn; before that of the last one
-    std::array<PaneInFrame, MOST_PANES> panes;
-    std::size_t pane_count;
+    base::StaticVector<PaneInFrame, MAX_PANES> panes;
     bool reticle; ///< mark what is in the middle of the window
-    std::array<TankInFrame, MOST_TANKS> tanks;
-    std::size_t tank_count;
+    base::StaticVector<TankInFrame, MAX_TANKS> tanks;
     collision::PartSet parts; ///< draw these, by index of the part
     bool ground;              ///< draw it
     bool wireframe;           ///< draw the tanks' edges, not their faces
 
-    std::array<SphereInFrame, MOST_SPHERES> spheres; ///< furthest centre first
-    std::size_t sphere_count;
+    base::StaticVector<SphereInFrame, MAX_SPHERES> spheres; ///< furthest centre first
     ProbeInFrame probe;
-    std::array<ClosestPointInFrame, MOST_SPHERES> closest_points;
-    std::size_t closest_point_count;
-    std::array<TriangleInFrame, tank::PART_COUNT> triangles;
-    std::size_t triangle_count;
+    base::StaticVector<ClosestPointInFrame, MAX_SPHERES> closest_points;
+    base::StaticVector<TriangleInFrame, tank::PART_COUNT> triangles;
     ShotInFrame shot;
     AxisInFrame axis;
-    std::array<particles::ParticleView, MOST_PARTICLES> particles;
-    std::size_t particle_view_count;
+    base::StaticVector<particles::ParticleView, MAX_PARTICLES> particles;
     double threshold; ///< metres
-
-    std::span<const PaneInFrame> used_panes() const { return {panes.data(), pane_count}; }
-    std::span<const TankInFrame> used_tanks() const { return {tanks.data(), tank_count}; }
-    std::span<const SphereInFrame> used_spheres() const { return {spheres.data(), sphere_count}; }
-    std::span<const ClosestPointInFrame> used_closest_points() const
-    {
-        return {closest_points.data(), closest_point_count};
-    }
-    std::span<const TriangleInFrame> used_triangles() const { return {triangles.data(), triangle_count}; }
-    std::span<const particles::ParticleView> used_particles() const
-    {
-        return {particles.data(), particle_view_count};
-    }
 };
 
 /// How far beside the high tank the low one stands when both are drawn: to +X. Metres.

@@ -211,8 +211,9 @@ public:
     }
     void reset()
     {
-        if (valid())
+        if (valid()) {
             (backend_->*destroy)(id_);
+        }
         id_ = 0;
     }
 

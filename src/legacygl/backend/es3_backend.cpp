@@ -26,7 +26,7 @@ class Es3Backend final : public Backend
 {
 public:
     Es3Backend(const Es3Functions& functions, int width, int height, LegacyGLTarget target)
-        : gl_(functions), target_(gl_, covering_, target, width, height)
+        : gl_(functions), target_(gl_, fullscreen_pass_, target, width, height)
     {
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maximum_texture_size);
         std::array<GLint, 2> viewport{};
@@ -40,7 +40,7 @@ public:
         geometries_.clear();
         programs_.clear();
         target_.destroy();
-        covering_.destroy();
+        fullscreen_pass_.destroy();
     }
 
     ProgramId create_program(const ProgramText& text) override
@@ -97,10 +97,12 @@ public:
         const bool waits_in_stream = goes_on && waiting_page_ == STREAM;
         const bool waits_itself = goes_on && waiting_page_ == place.page && place.batch == batch_number_;
         if (!(goes_on && waiting_page_ == place.page && batch_.put(transform, place.slot))) {
-            if (place.small && (waits_in_stream || waits_itself))
+            if (place.small && (waits_in_stream || waits_itself)) {
                 return false;
-            if (!begin(state, format, place.page))
+            }
+            if (!begin(state, format, place.page)) {
                 return true;
+            }
             batch_.put(transform, place.slot);
         }
         place.batch = batch_number_;
@@ -115,8 +117,9 @@ public:
         const bool goes_on =
             waiting_page_ == STREAM && !stream_.full() && only_transform_changes(state, format);
         if (!(goes_on && batch_.put(transform))) {
-            if (!begin(state, format, STREAM))
+            if (!begin(state, format, STREAM)) {
                 return;
+            }
             stream_.begin(format);
             batch_.put(transform);
         }
@@ -161,8 +164,9 @@ public:
 
     bool clips_lines() override
     {
-        if (lost_)
+        if (lost_) {
             return true;
+        }
         if (!clips_lines_) {
             draw_waiting();
             clips_lines_ = legacygl::clips_lines(gl_);
@@ -205,7 +209,7 @@ public:
         geometries_.forget();
         batch_.begin(1);
         target_.forget();
-        covering_.forget();
+        fullscreen_pass_.forget();
         clips_lines_.reset();
         lost_ = true;
     }
@@ -255,8 +259,9 @@ private:
     bool begin(const DrawState& state, const VertexFormat& format, std::uint32_t page)
     {
         draw_waiting();
-        if (!apply(state, format))
+        if (!apply(state, format)) {
             return false;
+        }
         waiting_page_ = page;
         waiting_format_ = format;
         waiting_program_ = state.program;
@@ -270,20 +275,24 @@ private:
     template <class What>
     static void for_each_constant(const Es3Program& program, const VertexFormat& format, What what)
     {
-        for (int i = 1; program.attributes_read >> i != 0; ++i)
-            if ((program.attributes_read & (1u << i)) && format.components[i] == 0)
+        for (int i = 1; program.attributes_read >> i != 0; ++i) {
+            if ((program.attributes_read & (1u << i)) && format.components[i] == 0) {
                 what(i);
+            }
+        }
     }
 
     /// Draws what waits; everything that looks at the picture or changes what is used does so first.
     void draw_waiting()
     {
-        if (batch_.empty())
+        if (batch_.empty()) {
             return;
-        if (waiting_page_ == STREAM)
+        }
+        if (waiting_page_ == STREAM) {
             geometries_.bind_stream(waiting_format_, stream_.vertices(), stream_.slots(), stream_.indices());
-        else
+        } else {
             geometries_.bind_page(waiting_page_);
+        }
         programs_.upload(waiting_program_, UniformGroup::transform, batch_.transforms());
         geometries_.draw_runs(batch_.runs());
         batch_.begin(1);
@@ -301,8 +310,9 @@ private:
     {
         for_each_constant(programs_[state.program], format, [&](int i) {
             const glm::vec4& value = (*state.constants)[i];
-            if (constants_[i] == value)
+            if (constants_[i] == value) {
                 return;
+            }
             gl_.VertexAttrib4f(i, value.x, value.y, value.z, value.w);
             constants_[i] = value;
         });
@@ -310,24 +320,29 @@ private:
 
     bool apply(const DrawState& state, const VertexFormat& format)
     {
-        if (lost_ || state.program == 0)
+        if (lost_ || state.program == 0) {
             return false;
+        }
         const bool usable = programs_.use(state.program);
-        for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
-            if (const auto group = static_cast<UniformGroup>(i); group != UniformGroup::transform)
+        for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i) {
+            if (const auto group = static_cast<UniformGroup>(i); group != UniformGroup::transform) {
                 programs_.upload(state.program, group, state.uniforms[i]);
-        for (int unit = SAMPLER_COUNT; unit-- > 0;)
-            if (state.textures[unit] != 0)
+            }
+        }
+        for (int unit = SAMPLER_COUNT; unit-- > 0;) {
+            if (state.textures[unit] != 0) {
                 textures_.bind(state.textures[unit], unit);
+            }
+        }
         fixed_.apply(state.pipeline);
         apply_constants(state, format);
         return usable;
     }
 
     const Es3Functions gl_;
-    Es3Covering covering_{gl_};
+    Es3FullscreenPass fullscreen_pass_{gl_};
     Es3Target target_;
-    Es3DepthReader depth_reader_{gl_, covering_};
+    Es3DepthReader depth_reader_{gl_, fullscreen_pass_};
     Es3FixedState fixed_{gl_, target_};
     Es3Programs programs_{gl_, counters};
     Es3Textures textures_{gl_, counters};

@@ -14,8 +14,9 @@ void Es3Batch::begin(int slots)
 
 bool Es3Batch::put(const UniformValues& transform)
 {
-    if (slot_ >= 0 && revisions_[slot_] == transform.revision)
+    if (slot_ >= 0 && revisions_[slot_] == transform.revision) {
         return true;
+    }
     return used_slots_ < static_cast<int>(revisions_.size()) &&
            put(transform, static_cast<std::uint32_t>(used_slots_));
 }
@@ -24,12 +25,14 @@ bool Es3Batch::put(const UniformValues& transform, std::uint32_t slot)
 {
     const auto at = static_cast<int>(slot % revisions_.size());
     if (revisions_[at] != transform.revision) {
-        if (revisions_[at] != 0)
+        if (revisions_[at] != 0) {
             return false;
+        }
         transform_size_ = transform.values.size();
         used_slots_ = std::max(used_slots_, at + 1);
-        if (transforms_.size() < transform_size_ * used_slots_)
+        if (transforms_.size() < transform_size_ * used_slots_) {
             transforms_.resize(transform_size_ * revisions_.size());
+        }
         revisions_[at] = transform.revision;
         std::copy(transform.values.begin(), transform.values.end(),
                   transforms_.begin() + static_cast<std::ptrdiff_t>(transform_size_) * at);

@@ -17,7 +17,7 @@ namespace legacygl {
 class Es3Batch
 {
 public:
-    /// Begins anew for a program with so many slots; nothing waits.
+    /// Starts over for a program with so many slots; nothing waits.
     void begin(int slots);
     bool empty() const { return runs_.empty(); }
 

@@ -110,13 +110,14 @@ std::vector<std::uint32_t> Es3DepthReader::decode(const Copy& copy, int excess, 
 {
     copy.attach_depths(0); // They may not be read and attached.
     gl_.BindTexture(GL_TEXTURE_2D, copy.textures[1]);
-    gl_.Uniform1i(gl_.GetUniformLocation(covering_.use(DEPTH_FRAGMENT), "excess"), excess);
-    covering_.draw();
+    gl_.Uniform1i(gl_.GetUniformLocation(fullscreen_pass_.use(DEPTH_FRAGMENT), "excess"), excess);
+    fullscreen_pass_.draw();
     copy.attach_depths(copy.textures[1]);
     const std::vector<std::uint8_t> rgba = copy.read(from);
     std::vector<std::uint32_t> depths(rgba.size() / 4);
-    for (std::size_t i = 0; i < depths.size(); ++i)
+    for (std::size_t i = 0; i < depths.size(); ++i) {
         depths[i] = static_cast<std::uint32_t>(rgba[4 * i] << 16 | rgba[4 * i + 1] << 8 | rgba[4 * i + 2]);
+    }
     return depths;
 }
 
@@ -139,8 +140,9 @@ bool Es3DepthReader::read_depths(const TargetRectangle& from, std::span<std::uin
     gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &source);
     const int excess = excess_of_depths(copy, from);
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
-    if (!copy.take())
+    if (!copy.take()) {
         return false;
+    }
     const std::vector<std::uint32_t> decoded = decode(copy, excess, from);
     std::copy(decoded.begin(), decoded.end(), depths.begin());
     return true;
@@ -149,11 +151,12 @@ bool Es3DepthReader::read_depths(const TargetRectangle& from, std::span<std::uin
 bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::uint8_t> values)
 {
     const Copy copy(gl_, from);
-    if (!copy.take())
+    if (!copy.take()) {
         return false;
+    }
     gl_.ClearColor(0, 0, 0, 0);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
-    covering_.use(WHITE_FRAGMENT);
+    fullscreen_pass_.use(WHITE_FRAGMENT);
     gl_.Enable(GL_STENCIL_TEST);
     gl_.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl_.Enable(GL_BLEND);
@@ -162,11 +165,12 @@ bool Es3DepthReader::read_stencils(const TargetRectangle& from, std::span<std::u
     for (int bit = 1; bit < 256; bit *= 2) { // Each bit that is set adds itself.
         gl_.StencilFunc(GL_EQUAL, bit, static_cast<GLuint>(bit));
         gl_.BlendColor(static_cast<float>(bit) / 255.0f, 0, 0, 0);
-        covering_.draw();
+        fullscreen_pass_.draw();
     }
     const std::vector<std::uint8_t> rgba = copy.read(from);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = rgba[4 * i];
+    }
     return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "legacygl/backend/es3_covering.h"
+#include "legacygl/backend/es3_fullscreen_pass.h"
 #include "legacygl/backend/es3_functions.h"
 
 #include <cstdint>
@@ -23,7 +23,9 @@ struct TargetRectangle
 class Es3DepthReader
 {
 public:
-    Es3DepthReader(const Es3Functions& gl, Es3Covering& covering) : gl_(gl), covering_(covering) {}
+    Es3DepthReader(const Es3Functions& gl, Es3FullscreenPass& fullscreen_pass)
+        : gl_(gl), fullscreen_pass_(fullscreen_pass)
+    {}
 
     /// Reads depths in steps of 1 / (2^24 - 1), the bottom row first.
     bool read_depths(const TargetRectangle& from, std::span<std::uint32_t> depths);
@@ -36,7 +38,7 @@ private:
     int excess_of_depths(const Copy& copy, const TargetRectangle& from);
 
     const Es3Functions& gl_;
-    Es3Covering& covering_;
+    Es3FullscreenPass& fullscreen_pass_;
 };
 
 } // namespace legacygl

@@ -5,8 +5,9 @@ namespace legacygl {
 std::string Es3Functions::load([[maybe_unused]] LegacyGLLoader loader)
 {
 #ifndef __EMSCRIPTEN__
-    if (!loader)
+    if (!loader) {
         return "any: there is no loader";
+    }
 #define LEGACYGL_LOAD(result, name, parameters)                                                              \
     name = reinterpret_cast<result(*) parameters>(loader("gl" #name));                                       \
     if (!name)                                                                                               \

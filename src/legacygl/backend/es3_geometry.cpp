@@ -49,9 +49,10 @@ void Es3Geometries::fill_own(const Page& page, std::span<const float> vertices,
                              std::span<const std::uint32_t> indices)
 {
     upload(GL_ARRAY_BUFFER, page.array.vertices, vertices.size_bytes(), vertices.data(), GL_STATIC_DRAW);
-    if (!indices.empty())
+    if (!indices.empty()) {
         upload(GL_ELEMENT_ARRAY_BUFFER, page.array.indices, indices.size_bytes(), indices.data(),
                GL_STATIC_DRAW);
+    }
 }
 
 /// Adds a geometry behind those that the shared page has; its vertices name the next slot.
@@ -66,11 +67,13 @@ void Es3Geometries::append(Page& page, std::span<const float> vertices,
     upload_part(GL_ARRAY_BUFFER, page.array.vertices, page.used_vertices * floats * sizeof(float),
                 vertices.size_bytes(), vertices.data());
     if (!indices.empty()) {
-        if (page.used_indices == 0)
+        if (page.used_indices == 0) {
             allocate(GL_ELEMENT_ARRAY_BUFFER, page.array.indices, PAGE_INDICES * sizeof(std::uint32_t));
+        }
         rebased_.assign(indices.begin(), indices.end());
-        for (std::uint32_t& index : rebased_)
+        for (std::uint32_t& index : rebased_) {
             index += page.used_vertices;
+        }
         upload_part(GL_ELEMENT_ARRAY_BUFFER, page.array.indices, page.used_indices * sizeof(std::uint32_t),
                     indices.size_bytes(), rebased_.data());
     }
@@ -95,26 +98,30 @@ void Es3Geometries::bind_stream(const VertexFormat& format, std::span<const floa
     auto stream = std::find_if(streams_.begin(), streams_.end(), [&](const Es3VertexArray& array) {
         return array.format == format && (array.slots != 0) == with_slots;
     });
-    if (stream == streams_.end())
+    if (stream == streams_.end()) {
         stream = streams_.insert(stream, make_array(format, with_slots));
+    }
     bind(stream->name);
     upload(GL_ARRAY_BUFFER, stream->vertices, vertices.size_bytes(), vertices.data(), GL_STREAM_DRAW);
-    if (with_slots)
+    if (with_slots) {
         upload(GL_ARRAY_BUFFER, stream->slots, slots.size_bytes(), slots.data(), GL_STREAM_DRAW);
-    if (!indices.empty())
+    }
+    if (!indices.empty()) {
         upload(GL_ELEMENT_ARRAY_BUFFER, stream->indices, indices.size_bytes(), indices.data(),
                GL_STREAM_DRAW);
+    }
 }
 
 void Es3Geometries::draw_runs(std::span<const DrawRun> runs)
 {
     for (const DrawRun& run : runs) {
         const auto count = static_cast<GLsizei>(run.count);
-        if (run.indexed)
+        if (run.indexed) {
             gl_.DrawElements(draw_mode(run.primitive), count, GL_UNSIGNED_INT,
                              reinterpret_cast<const void*>(run.first * sizeof(std::uint32_t)));
-        else
+        } else {
             gl_.DrawArrays(draw_mode(run.primitive), static_cast<GLint>(run.first), count);
+        }
         ++counters_.draw_calls;
         counters_.vertices += run.count;
     }
@@ -122,10 +129,12 @@ void Es3Geometries::draw_runs(std::span<const DrawRun> runs)
 
 void Es3Geometries::clear()
 {
-    for (Page& page : pages_)
+    for (Page& page : pages_) {
         destroy(page.array);
-    for (Es3VertexArray& stream : streams_)
+    }
+    for (Es3VertexArray& stream : streams_) {
         destroy(stream);
+    }
     forget();
 }
 
@@ -146,8 +155,9 @@ std::uint32_t Es3Geometries::page_for(const VertexFormat& format, std::size_t fl
         const Page& page = pages_[i];
         const std::size_t used = page.used_vertices * static_cast<std::size_t>(format.floats());
         if (page.shared && page.array.format == format && used + floats <= PAGE_FLOATS &&
-            page.used_indices + indices <= PAGE_INDICES)
+            page.used_indices + indices <= PAGE_INDICES) {
             return static_cast<std::uint32_t>(i);
+        }
     }
     return make_page(format, small);
 }
@@ -157,8 +167,9 @@ std::uint32_t Es3Geometries::make_page(const VertexFormat& format, bool shared)
 {
     auto place =
         std::find_if(pages_.begin() + 1, pages_.end(), [](const Page& page) { return page.geometries == 0; });
-    if (place == pages_.end())
+    if (place == pages_.end()) {
         place = pages_.insert(place, Page{});
+    }
     place->array = make_array(format, shared);
     place->shared = shared;
     if (shared) {
@@ -178,8 +189,9 @@ Es3VertexArray Es3Geometries::make_array(const VertexFormat& format, bool with_s
     gl_.BindBuffer(GL_ARRAY_BUFFER, array.vertices);
     std::size_t offset = 0;
     for (int i = 0; i < ATTRIBUTE_COUNT; ++i) {
-        if (format.components[i] == 0)
+        if (format.components[i] == 0) {
             continue;
+        }
         gl_.EnableVertexAttribArray(i);
         gl_.VertexAttribPointer(i, format.components[i], GL_FLOAT, GL_FALSE,
                                 static_cast<GLsizei>(format.floats() * sizeof(float)),
@@ -199,30 +211,35 @@ Es3VertexArray Es3Geometries::make_array(const VertexFormat& format, bool with_s
 
 void Es3Geometries::destroy(Es3VertexArray& array)
 {
-    if (array.name == 0)
+    if (array.name == 0) {
         return;
-    if (bound_ == array.name)
+    }
+    if (bound_ == array.name) {
         bound_ = 0;
+    }
     gl_.DeleteVertexArrays(1, &array.name);
     gl_.DeleteBuffers(1, &array.vertices);
     gl_.DeleteBuffers(1, &array.indices);
-    if (array.slots != 0)
+    if (array.slots != 0) {
         gl_.DeleteBuffers(1, &array.slots);
+    }
     array = Es3VertexArray{};
 }
 
 void Es3Geometries::bind(GLuint vertex_array)
 {
-    if (bound_ != vertex_array)
+    if (bound_ != vertex_array) {
         gl_.BindVertexArray(vertex_array);
+    }
     bound_ = vertex_array;
 }
 
 /// Buffers of indices belong to the vertex array, which is bound.
 void Es3Geometries::bind_buffer(GLenum target, GLuint buffer)
 {
-    if (target == GL_ARRAY_BUFFER)
+    if (target == GL_ARRAY_BUFFER) {
         gl_.BindBuffer(target, buffer);
+    }
 }
 
 void Es3Geometries::allocate(GLenum target, GLuint buffer, std::size_t bytes)

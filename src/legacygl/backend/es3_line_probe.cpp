@@ -48,8 +48,9 @@ public:
         gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
         gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colors_);
         gl_.Viewport(0, 0, WIDTH, HEIGHT);
-        for (const GLenum capability : {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST})
+        for (const GLenum capability : {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
             gl_.Disable(capability);
+        }
         gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         gl_.LineWidth(1);
         gl_.ClearColor(0, 0, 0, 0);

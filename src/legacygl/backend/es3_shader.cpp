@@ -34,8 +34,9 @@ GLuint link_program(const Es3Functions& gl, const std::string& vertex, const std
     gl.LinkProgram(program);
     GLint linked = 0;
     gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked)
+    if (linked) {
         return program;
+    }
     if (message.empty()) {
         char log[1024] = "";
         gl.GetProgramInfoLog(program, sizeof log, nullptr, log);

@@ -21,17 +21,20 @@ bool Es3Stream::full() const
 void Es3Stream::add(std::span<const float> vertices, std::span<const std::uint32_t> indices, int slot)
 {
     const std::uint32_t first = first_vertex();
-    if (slot == static_cast<int>(first_of_slot_.size()))
+    if (slot == static_cast<int>(first_of_slot_.size())) {
         first_of_slot_.push_back(first);
+    }
     vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
-    for (const std::uint32_t index : indices)
+    for (const std::uint32_t index : indices) {
         indices_.push_back(first + index);
+    }
 }
 
 std::span<const float> Es3Stream::slots()
 {
-    if (first_of_slot_.size() <= 1)
+    if (first_of_slot_.size() <= 1) {
         return {};
+    }
     slots_.resize(first_vertex());
     for (std::size_t slot = 0; slot < first_of_slot_.size(); ++slot) {
         const bool last = slot + 1 == first_of_slot_.size();

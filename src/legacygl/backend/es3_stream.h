@@ -13,7 +13,7 @@ namespace legacygl {
 class Es3Stream
 {
 public:
-    /// Begins anew; nothing waits.
+    /// Starts over; nothing waits.
     void begin(const VertexFormat& format);
     /// Whether enough waits, so that the graphics processor has something to do meanwhile.
     bool full() const;

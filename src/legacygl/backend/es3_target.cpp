@@ -19,9 +19,9 @@ void main()
 
 } // namespace
 
-Es3Target::Es3Target(const Es3Functions& gl, Es3Covering& covering, LegacyGLTarget kind, int width,
-                     int height)
-    : gl_(gl), covering_(covering), kind_(kind), width_(width), height_(height)
+Es3Target::Es3Target(const Es3Functions& gl, Es3FullscreenPass& fullscreen_pass, LegacyGLTarget kind,
+                     int width, int height)
+    : gl_(gl), fullscreen_pass_(fullscreen_pass), kind_(kind), width_(width), height_(height)
 {
     GLint given = 0;
     gl_.GetIntegerv(GL_FRAMEBUFFER_BINDING, &given);
@@ -31,8 +31,9 @@ Es3Target::Es3Target(const Es3Functions& gl, Es3Covering& covering, LegacyGLTarg
 
 void Es3Target::restore()
 {
-    if (own())
+    if (own()) {
         buffers_ = make_buffers();
+    }
 }
 
 GLuint Es3Target::make_color()
@@ -57,8 +58,8 @@ GLuint Es3Target::make_framebuffer(const Buffers& buffers, Which which)
     attach(GL_COLOR_ATTACHMENT0, buffers.colors[which == front ? front : back]);
     if (which == both) {
         attach(GL_COLOR_ATTACHMENT1, buffers.colors[front]);
-        constexpr GLenum draw_buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-        gl_.DrawBuffers(2, draw_buffers);
+        constexpr GLenum DRAW_BUFFERS[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+        gl_.DrawBuffers(2, DRAW_BUFFERS);
     }
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                                 buffers.depth_stencil);
@@ -80,8 +81,9 @@ Es3Target::Buffers Es3Target::make_buffers()
     gl_.BindRenderbuffer(GL_RENDERBUFFER, buffers.depth_stencil);
     gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width_, height_);
     buffers.colors[back] = make_color();
-    if (doubled())
+    if (doubled()) {
         buffers.colors[front] = make_color();
+    }
     buffers.framebuffers[back] = make_framebuffer(buffers, back);
     if (doubled()) {
         buffers.framebuffers[front] = make_framebuffer(buffers, front);
@@ -124,32 +126,37 @@ void Es3Target::resize(int width, int height)
     const int kept_width = std::min(width, width_), kept_height = std::min(height, height_);
     width_ = width;
     height_ = height;
-    if (!own())
+    if (!own()) {
         return;
+    }
     Buffers old = buffers_;
     buffers_ = make_buffers();
     copy(old, buffers_, back, kept_width, kept_height,
          GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    if (doubled())
+    if (doubled()) {
         copy(old, buffers_, front, kept_width, kept_height, GL_COLOR_BUFFER_BIT);
+    }
     delete_buffers(old);
 }
 
 void Es3Target::present()
 {
-    if (doubled())
+    if (doubled()) {
         copy(buffers_, buffers_, front, width_, height_, GL_COLOR_BUFFER_BIT);
+    }
     show_front();
 }
 
 void Es3Target::show_front()
 {
-    if (!own())
+    if (!own()) {
         return;
+    }
     gl_.BindFramebuffer(GL_FRAMEBUFFER, given_);
     // Without a window (EGL's surfaceless platform) there is nothing to copy into.
-    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         return;
+    }
     // Drawn, not blitted: ES does not blit into the antialiased framebuffer a window may have.
     gl_.Disable(GL_BLEND);
     gl_.Disable(GL_DEPTH_TEST);
@@ -160,8 +167,8 @@ void Es3Target::show_front()
     gl_.Viewport(0, 0, width_, height_);
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, buffers_.colors[doubled() ? front : back]);
-    covering_.use(COPY_FRAGMENT);
-    covering_.draw();
+    fullscreen_pass_.use(COPY_FRAGMENT);
+    fullscreen_pass_.draw();
 }
 
 void Es3Target::destroy()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "legacygl/backend/es3_covering.h"
+#include "legacygl/backend/es3_fullscreen_pass.h"
 #include "legacygl/backend/es3_functions.h"
 
 #include <legacygl/legacygl.h>
@@ -14,7 +14,8 @@ class Es3Target
 {
 public:
     /// Takes the framebuffer bound now as the given one. width and height are at least 1.
-    Es3Target(const Es3Functions& gl, Es3Covering& covering, LegacyGLTarget kind, int width, int height);
+    Es3Target(const Es3Functions& gl, Es3FullscreenPass& fullscreen_pass, LegacyGLTarget kind, int width,
+              int height);
 
     /// Makes the target's objects again; their contents are cleared. Call after a lost context.
     void restore();
@@ -58,7 +59,7 @@ private:
     void copy(const Buffers& from, const Buffers& to, Which which, int width, int height, GLbitfield what);
 
     const Es3Functions& gl_;
-    Es3Covering& covering_;
+    Es3FullscreenPass& fullscreen_pass_;
     LegacyGLTarget kind_;
     int width_;
     int height_;

@@ -12,9 +12,11 @@ TextureId Es3Textures::create()
 void Es3Textures::destroy(TextureId id)
 {
     gl_.DeleteTextures(1, &id);
-    for (TextureId& bound : bound_)
-        if (bound == id)
+    for (TextureId& bound : bound_) {
+        if (bound == id) {
             bound = 0;
+        }
+    }
 }
 
 void Es3Textures::image(TextureId id, int level, int width, int height, std::span<const std::uint8_t> rgba)
@@ -40,8 +42,9 @@ void Es3Textures::sampling(TextureId id, const Sampling& sampling)
     // ES has no borders: the shader mixes their colour in (shader_border_text.cpp). Where it also clamps the
     // coordinates, mirroring is clamping to the edge, but Mesa then filters with floats as for a border.
     const auto wrap = [&](GLenum mode) {
-        if (mode != GL_CLAMP && mode != GL_CLAMP_TO_BORDER)
+        if (mode != GL_CLAMP && mode != GL_CLAMP_TO_BORDER) {
             return mode;
+        }
         return sampling.is_linear() ? GLenum{GL_MIRRORED_REPEAT} : GLenum{GL_CLAMP_TO_EDGE};
     };
     set(GL_TEXTURE_MIN_FILTER, sampling.minify);
@@ -56,13 +59,16 @@ void Es3Textures::sampling(TextureId id, const Sampling& sampling)
 
 void Es3Textures::bind(TextureId id, int unit)
 {
-    if (bound_[unit] == id && (active_unit_ == unit))
+    if (bound_[unit] == id && (active_unit_ == unit)) {
         return;
-    if (active_unit_ != unit)
+    }
+    if (active_unit_ != unit) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    }
     active_unit_ = unit;
-    if (bound_[unit] != id)
+    if (bound_[unit] != id) {
         gl_.BindTexture(GL_TEXTURE_2D, id);
+    }
     bound_[unit] = id;
 }
 

@@ -17,13 +17,15 @@ BackendRecord& RecordingBackend::add_draw(BackendRecord::Kind kind, const DrawSt
     BackendRecord& record = add(kind);
     record.program = state.program;
     record.pipeline = state.pipeline;
-    for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i)
+    for (int i = 0; i < UNIFORM_GROUP_COUNT; ++i) {
         record.uniforms[i].assign(state.uniforms[i].values.begin(), state.uniforms[i].values.end());
+    }
     record.constants = *state.constants;
     record.runs.assign(runs.begin(), runs.end());
     counters.draw_calls += runs.size();
-    for (const DrawRun& run : runs)
+    for (const DrawRun& run : runs) {
         counters.vertices += run.count;
+    }
     return record;
 }
 

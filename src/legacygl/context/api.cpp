@@ -33,8 +33,9 @@ LegacyGLContext* legacygl_create(LegacyGLLoader loader, int width, int height, L
         return nullptr;
     }
     auto backend = legacygl::make_es3_backend(loader, width, height, target, last_message);
-    if (!backend)
+    if (!backend) {
         return nullptr;
+    }
     const bool single = target == LEGACYGL_TARGET_OWN_SINGLE;
     auto* context = new LegacyGLContext(std::move(backend), width, height, !single);
     legacygl_make_current(context);
@@ -43,8 +44,9 @@ LegacyGLContext* legacygl_create(LegacyGLLoader loader, int width, int height, L
 
 void legacygl_destroy(LegacyGLContext* context)
 {
-    if (legacygl::current_context == context)
+    if (legacygl::current_context == context) {
         legacygl::current_context = nullptr;
+    }
     delete context;
 }
 
@@ -61,8 +63,9 @@ LegacyGLContext* legacygl_current(void)
 void legacygl_resize(LegacyGLContext* context, int width, int height)
 {
     legacygl::Backend& backend = *context->backend;
-    if (width < 1 || height < 1 || (width == backend.target_width && height == backend.target_height))
+    if (width < 1 || height < 1 || (width == backend.target_width && height == backend.target_height)) {
         return;
+    }
     context->flush_vertices();
     backend.target_width = width;
     backend.target_height = height;

@@ -41,13 +41,15 @@ private:
         requires std::is_arithmetic_v<T>
     static void add(LegacyGLCall& call, T value)
     {
-        if (call.argument_count < 16)
+        if (call.argument_count < 16) {
             call.arguments[call.argument_count++] = static_cast<double>(value);
+        }
     }
     template <class T, std::size_t N> static void add(LegacyGLCall& call, const std::array<T, N>& values)
     {
-        for (const T& value : values)
+        for (const T& value : values) {
             add(call, value);
+        }
     }
     /// Blobs and how they are laid out are not numbers.
     template <class T>

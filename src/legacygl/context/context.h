@@ -18,7 +18,7 @@
 namespace legacygl {
 
 /// How deep lists may call lists.
-constexpr int MAXIMUM_LIST_NESTING = 64;
+constexpr int MAX_LIST_NESTING_DEPTH = 64;
 
 /// One OpenGL: its state, its lists, and what draws for it.
 struct Context
@@ -49,14 +49,16 @@ struct Context
 #ifdef LEGACYGL_UNCHECKED
         __builtin_unreachable();
 #endif
-        if (error == GL_NO_ERROR)
+        if (error == GL_NO_ERROR) {
             error = code;
+        }
     }
     /// Notes GL_INVALID_OPERATION for what legacygl cannot do: no fault of the program's, so also unchecked.
     void refuse_unsupported()
     {
-        if (error == GL_NO_ERROR)
+        if (error == GL_NO_ERROR) {
             error = GL_INVALID_OPERATION;
+        }
     }
     template <class... Args> void note(const char* name, const Args&... args)
     {
@@ -68,8 +70,9 @@ struct Context
     /// Draws the vertices that wait; every change of state does so first.
     void flush_vertices()
     {
-        if (!immediate.batch().primitives.empty())
+        if (!immediate.batch().primitives.empty()) {
             draw_vertices();
+        }
     }
     /// Runs the list of that name; unknown names and too deep a nesting do nothing (OpenGL 1.5, 5.4).
     void call_list(GLuint name);

@@ -17,11 +17,13 @@ enum class Where : bool
 template <Where where, class Operation, class... Args>
 void execute(Context& gl, const char* name, Operation operation, const Args&... args)
 {
-    if (gl.capture.active())
+    if (gl.capture.active()) {
         gl.note(name, args...);
+    }
     if constexpr (where == Where::outside) {
-        if (gl.immediate.inside())
+        if (gl.immediate.inside()) {
             return gl.set_error(GL_INVALID_OPERATION);
+        }
         gl.flush_vertices();
     }
     operation(gl, args...);
@@ -45,18 +47,21 @@ template <Where where = Where::outside, class Operation, class... Args>
 void dispatch(const char* name, Operation operation, Args... args)
 {
     Context* gl = current_context;
-    if (!gl)
+    if (!gl) {
         return;
+    }
     if (gl->compiler) {
         const bool executes = gl->compiler->executes();
-        if (gl->capture.active() && !executes)
+        if (gl->capture.active() && !executes) {
             gl->note(name, args...);
+        }
         [&](auto... held) {
             gl->compiler->append(
                 [=](Context& context) { execute<where>(context, name, operation, held...); });
         }(kept(*gl->compiler, args)...);
-        if (!executes)
+        if (!executes) {
             return;
+        }
     }
     execute<where>(*gl, name, operation, args...);
 }
@@ -65,8 +70,9 @@ void dispatch(const char* name, Operation operation, Args... args)
 template <Where where = Where::outside, class Operation, class... Args>
 void dispatch_now(const char* name, Operation operation, Args... args)
 {
-    if (Context* gl = current_context)
+    if (Context* gl = current_context) {
         execute<where>(*gl, name, operation, args...);
+    }
 }
 
 /// What dispatch_vertex does where calls are captured or a list is compiled. By itself, so that the rest
@@ -75,12 +81,14 @@ template <class Operation, class... Args>
 [[gnu::noinline]] void dispatch_vertex_watched(Context& gl, const char* name, Operation operation,
                                                Args... args)
 {
-    if (gl.capture.active())
+    if (gl.capture.active()) {
         gl.note(name, args...);
+    }
     if (gl.compiler) {
         operation(gl.compiler->vertices(), args...);
-        if (!gl.compiler->executes())
+        if (!gl.compiler->executes()) {
             return;
+        }
     }
     operation(gl.immediate, args...);
 }
@@ -90,11 +98,13 @@ template <class Operation, class... Args>
 void dispatch_vertex(const char* name, Operation operation, Args... args)
 {
     Context* gl = current_context;
-    if (!gl)
+    if (!gl) {
         return;
+    }
     // One branch for what is rare: these are the calls that programs make most.
-    if (static_cast<int>(gl->capture.active()) | static_cast<int>(gl->compiler.has_value())) [[unlikely]]
+    if (static_cast<int>(gl->capture.active()) | static_cast<int>(gl->compiler.has_value())) [[unlikely]] {
         return dispatch_vertex_watched(*gl, name, operation, args...);
+    }
     operation(gl->immediate, args...);
 }
 

@@ -20,11 +20,11 @@ struct Constant
 
 constexpr Constant CONSTANTS[] = {
     {GL_MAX_LIGHTS, Kind::integer, LIGHT_COUNT},
-    {GL_MAX_LIST_NESTING, Kind::integer, MAXIMUM_LIST_NESTING},
+    {GL_MAX_LIST_NESTING, Kind::integer, MAX_LIST_NESTING_DEPTH},
     {GL_MAX_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, Kind::integer, ATTRIBUTE_STACK_DEPTH},
     {GL_MAX_TEXTURE_UNITS, Kind::integer, TEXTURE_UNIT_COUNT},
-    {GL_MAX_TEXTURE_LOD_BIAS, Kind::real, static_cast<double>(MAXIMUM_TEXTURE_LOD_BIAS)},
+    {GL_MAX_TEXTURE_LOD_BIAS, Kind::real, static_cast<double>(MAX_LOD_BIAS)},
     {GL_MAX_ELEMENTS_INDICES, Kind::integer, 3000},
     {GL_MAX_ELEMENTS_VERTICES, Kind::integer, 3000},
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, Kind::integer, 0},
@@ -58,8 +58,9 @@ QueryValue matrix(const MatrixStack& stack, bool transposed = false)
 {
     QueryValue out{Kind::real, 0};
     out.count = 16;
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         out.values[i] = static_cast<double>(stack.top().values()[transposed ? i % 4 * 4 + i / 4 : i]);
+    }
     return out;
 }
 
@@ -102,8 +103,9 @@ QueryValue query_variable(State& s, GLenum name)
 {
     QueryValue out;
     visit_variables(s, [&](GLenum n, GLbitfield, const StateField& field) {
-        if (n == name && n != 0)
+        if (n == name && n != 0) {
             out = QueryValue(field);
+        }
     });
     return out;
 }
@@ -112,16 +114,21 @@ QueryValue query_array(const Context& gl, GLenum name)
 {
     for (const ClientArrayNames& names : CLIENT_ARRAY_NAMES) {
         const ClientArray& array = *gl.client_arrays.find(names.array, gl.state.texturing.client_active);
-        if (name == names.array)
+        if (name == names.array) {
             return QueryValue::boolean(array.enabled);
-        if (name == names.size)
+        }
+        if (name == names.size) {
             return QueryValue::integer(array.size);
-        if (name == names.type)
+        }
+        if (name == names.type) {
             return QueryValue::integer(array.type);
-        if (name == names.stride)
+        }
+        if (name == names.stride) {
             return QueryValue::integer(array.stride);
-        if (name == names.buffer)
+        }
+        if (name == names.buffer) {
             return QueryValue::integer(array.buffer_name);
+        }
     }
     return {};
 }
@@ -164,12 +171,12 @@ QueryValue query_other(const Context& gl, GLenum name)
         return integer(gl.backend->maximum_texture_size);
     case GL_POINT_SIZE_RANGE:
     case GL_ALIASED_POINT_SIZE_RANGE: {
-        std::array<GLfloat, 2> sizes{1, MAXIMUM_POINT_SIZE};
+        std::array<GLfloat, 2> sizes{1, MAX_POINT_SIZE};
         return QueryValue(StateField(sizes));
     }
     case GL_LINE_WIDTH_RANGE:
     case GL_ALIASED_LINE_WIDTH_RANGE: {
-        std::array<GLfloat, 2> widths{1, MAXIMUM_LINE_WIDTH};
+        std::array<GLfloat, 2> widths{1, MAX_LINE_WIDTH};
         return QueryValue(StateField(widths));
     }
     case GL_MAX_VIEWPORT_DIMS: {
@@ -183,9 +190,11 @@ QueryValue query_other(const Context& gl, GLenum name)
     default:
         break;
     }
-    for (const Constant& constant : CONSTANTS)
-        if (constant.name == name)
+    for (const Constant& constant : CONSTANTS) {
+        if (constant.name == name) {
             return {constant.kind, constant.value};
+        }
+    }
     return {};
 }
 
@@ -195,8 +204,9 @@ QueryValue::QueryValue(const StateField& field) : count(field.count)
 {
     const auto take = [&](auto type, Kind k) {
         kind = k;
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             values[i] = static_cast<double>(static_cast<const decltype(type)*>(field.data)[i]);
+        }
     };
     switch (field.kind) {
     case StateField::Kind::boolean:
@@ -229,14 +239,18 @@ QueryValue query(const Context& gl, GLenum name)
 {
     // The tables serve reading and writing; nothing is written here.
     State& state = const_cast<State&>(gl.state);
-    if (const QueryValue value = query_transform(state, name); value.count != 0)
+    if (const QueryValue value = query_transform(state, name); value.count != 0) {
         return value;
-    if (const QueryValue value = query_variable(state, name); value.count != 0)
+    }
+    if (const QueryValue value = query_variable(state, name); value.count != 0) {
         return value;
-    if (const Capability found = find_capability(state, name); found.flag)
+    }
+    if (const Capability found = find_capability(state, name); found.flag) {
         return QueryValue::boolean(*found.flag);
-    if (const QueryValue value = query_array(gl, name); value.count != 0)
+    }
+    if (const QueryValue value = query_array(gl, name); value.count != 0) {
         return value;
+    }
     return query_other(gl, name);
 }
 

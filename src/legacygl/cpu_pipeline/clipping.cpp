@@ -29,8 +29,9 @@ ShadedVertex cut_edge(const ViewportTransform& viewport, const ShadedVertex& pre
                       float previous_distance, const ShadedVertex& vertex, float distance)
 {
     const float difference = distance - previous_distance;
-    if (std::fabs(distance) < std::fabs(previous_distance))
+    if (std::fabs(distance) < std::fabs(previous_distance)) {
         return cut(viewport, vertex, previous, distance / difference);
+    }
     return cut(viewport, previous, vertex, -previous_distance / difference);
 }
 
@@ -44,17 +45,20 @@ bool clip_by_plane(const glm::vec4& plane, bool user_plane, const ViewportTransf
         out.vertices[out.count++] = vertex;
     };
     float previous_distance = dot(in.vertices[0].clip, plane);
-    if (!std::isfinite(previous_distance))
+    if (!std::isfinite(previous_distance)) {
         return false;
+    }
     for (int i = 0; i < in.count; ++i) {
         const ShadedVertex &previous = in.vertices[i], &vertex = in.vertices[(i + 1) % in.count];
         const float distance = dot(vertex.clip, plane);
-        if (!std::isfinite(distance))
+        if (!std::isfinite(distance)) {
             return false;
+        }
         const bool leaves = previous_distance >= 0 && distance < 0;
         const bool enters = !(previous_distance >= 0) && !(distance < 0);
-        if (previous_distance >= 0)
+        if (previous_distance >= 0) {
             add(previous, in.edges[i]);
+        }
         if ((leaves || enters) && out.count < ClippedPolygon::MAXIMUM) {
             add(cut_edge(viewport, previous, previous_distance, vertex, distance),
                 leaves && user_plane ? true : in.edges[i]);
@@ -86,11 +90,13 @@ std::uint32_t ClipVolume::outside(const glm::vec4& p) const
 {
     std::uint32_t mask = 0;
     const bool beyond[VIEW_PLANES] = {p.x > p.w, p.x + p.w<0, p.y> p.w, p.y + p.w < 0, p.z + p.w<0, p.z> p.w};
-    for (int i = 0; i < VIEW_PLANES; ++i)
+    for (int i = 0; i < VIEW_PLANES; ++i) {
         mask |= static_cast<std::uint32_t>(beyond[i]) << i;
+    }
     for (int i = 0; i < CLIP_PLANE_COUNT; ++i) {
-        if (!(enabled_user_planes_ >> i & 1))
+        if (!(enabled_user_planes_ >> i & 1)) {
             continue;
+        }
         const glm::vec4& plane = planes_[VIEW_PLANES + i];
         const float distance = fused(plane.w, p.w, fused(plane.z, p.z, fused(plane.y, p.y, plane.x * p.x)));
         mask |= static_cast<std::uint32_t>(distance < 0) << (VIEW_PLANES + i);
@@ -105,16 +111,20 @@ bool clip_polygon(const ClipVolume& volume, const ViewportTransform& viewport, C
         some |= polygon.vertices[i].outside;
         all &= polygon.vertices[i].outside;
     }
-    if (all != 0)
+    if (all != 0) {
         return false;
-    if (some == 0)
+    }
+    if (some == 0) {
         return true;
+    }
     ClippedPolygon other;
     for (int plane = 0; plane < ClipVolume::PLANES && polygon.count >= 3; ++plane) {
-        if (!(some >> plane & 1))
+        if (!(some >> plane & 1)) {
             continue;
-        if (!clip_by_plane(volume.plane(plane), ClipVolume::is_user_plane(plane), viewport, polygon, other))
+        }
+        if (!clip_by_plane(volume.plane(plane), ClipVolume::is_user_plane(plane), viewport, polygon, other)) {
             return false;
+        }
         std::swap(polygon, other);
     }
     return polygon.count >= 3;
@@ -123,29 +133,38 @@ bool clip_polygon(const ClipVolume& volume, const ViewportTransform& viewport, C
 bool clip_line(const ClipVolume& volume, const ViewportTransform& viewport, std::array<ShadedVertex, 2>& line)
 {
     const std::uint32_t some = line[0].outside | line[1].outside;
-    if (some == 0)
+    if (some == 0) {
         return true;
-    if (line[0].outside & line[1].outside)
+    }
+    if (line[0].outside & line[1].outside) {
         return false;
+    }
     float t0 = 0, t1 = 0;
     for (int plane = 0; plane < ClipVolume::PLANES; ++plane) {
-        if (!(some >> plane & 1))
+        if (!(some >> plane & 1)) {
             continue;
+        }
         const float d0 = dot(line[0].clip, volume.plane(plane)), d1 = dot(line[1].clip, volume.plane(plane));
-        if (!std::isfinite(d0) || !std::isfinite(d1))
+        if (!std::isfinite(d0) || !std::isfinite(d1)) {
             return false;
-        if (d1 < 0)
+        }
+        if (d1 < 0) {
             t1 = std::max(t1, d1 / (d1 - d0));
-        if (d0 < 0)
+        }
+        if (d0 < 0) {
             t0 = std::max(t0, d0 / (d0 - d1));
-        if (t0 + t1 >= 1)
+        }
+        if (t0 + t1 >= 1) {
             return false;
+        }
     }
     const std::array<ShadedVertex, 2> whole = line;
-    if (whole[0].outside)
+    if (whole[0].outside) {
         line[0] = cut(viewport, whole[0], whole[1], t0);
-    if (whole[1].outside)
+    }
+    if (whole[1].outside) {
         line[1] = cut(viewport, whole[1], whole[0], t1);
+    }
     return true;
 }
 

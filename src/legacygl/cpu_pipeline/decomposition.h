@@ -14,7 +14,7 @@ struct DecomposedTriangle
 {
     std::uint32_t vertices[3];
     std::uint32_t edges;
-    bool begins_polygon; ///< The line stipple begins anew.
+    bool begins_polygon; ///< The line stipple restarts.
 };
 
 /// Cuts a primitive of count vertices into points, lines and triangles, calling point(i), line(i, j, begins)
@@ -30,40 +30,47 @@ void decompose(GLenum mode, std::uint32_t count, bool first_vertex, QuadOrder qu
     constexpr std::uint32_t E0 = 1, E1 = 2, E2 = 4, ALL = 7;
     switch (mode) {
     case GL_POINTS:
-        for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t i = 0; i < count; ++i) {
             point(i);
+        }
         break;
     case GL_LINES:
-        for (std::uint32_t i = 0; i + 1 < count; i += 2)
+        for (std::uint32_t i = 0; i + 1 < count; i += 2) {
             line(i, i + 1, true);
+        }
         break;
     case GL_LINE_STRIP:
     case GL_LINE_LOOP:
-        for (std::uint32_t i = 0; i + 1 < count; ++i)
+        for (std::uint32_t i = 0; i + 1 < count; ++i) {
             line(i, i + 1, i == 0);
-        if (mode == GL_LINE_LOOP && count > 1)
+        }
+        if (mode == GL_LINE_LOOP && count > 1) {
             line(count - 1, 0u, false);
+        }
         break;
     case GL_TRIANGLES:
-        for (std::uint32_t i = 0; i + 2 < count; i += 3)
+        for (std::uint32_t i = 0; i + 2 < count; i += 3) {
             triangle(DecomposedTriangle{{i, i + 1, i + 2}, ALL, true});
+        }
         break;
     case GL_TRIANGLE_STRIP:
         for (std::uint32_t i = 0; i + 2 < count; ++i) {
-            if (i % 2 == 0)
+            if (i % 2 == 0) {
                 triangle(DecomposedTriangle{{i, i + 1, i + 2}, ALL, true});
-            else if (first_vertex)
+            } else if (first_vertex) {
                 triangle(DecomposedTriangle{{i, i + 2, i + 1}, ALL, true});
-            else
+            } else {
                 triangle(DecomposedTriangle{{i + 1, i, i + 2}, ALL, true});
+            }
         }
         break;
     case GL_TRIANGLE_FAN:
         for (std::uint32_t i = 1; i + 1 < count; ++i) {
-            if (first_vertex)
+            if (first_vertex) {
                 triangle(DecomposedTriangle{{i, i + 1, 0}, ALL, true});
-            else
+            } else {
                 triangle(DecomposedTriangle{{0, i, i + 1}, ALL, true});
+            }
         }
         break;
     case GL_QUADS:
@@ -100,12 +107,13 @@ void decompose(GLenum mode, std::uint32_t count, bool first_vertex, QuadOrder qu
     case GL_POLYGON:
         for (std::uint32_t i = 0; i + 2 < count; ++i) {
             const bool first = i == 0, last = i + 3 == count;
-            if (first_vertex)
+            if (first_vertex) {
                 triangle(
                     DecomposedTriangle{{0, i + 1, i + 2}, E1 | (first ? E0 : 0) | (last ? E2 : 0), first});
-            else
+            } else {
                 triangle(
                     DecomposedTriangle{{i + 1, i + 2, 0}, E0 | (first ? E2 : 0) | (last ? E1 : 0), first});
+            }
         }
         break;
     default:

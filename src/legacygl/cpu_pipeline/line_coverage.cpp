@@ -113,10 +113,12 @@ EndOffsets end_offsets_x(const End& a, const End& b, float dx, float dy)
     const float edge = dx < 0 ? -0.5f : 0.5f;
     EndOffsets offsets;
     // A line to the left has its ends exchanged; the edge of the pixel is then on the other side.
-    if (will_draw_start != drawn.start)
+    if (will_draw_start != drawn.start) {
         offsets.first = -xa + edge;
-    if (will_draw_end != drawn.end)
+    }
+    if (will_draw_end != drawn.end) {
         offsets.second = -xb + edge;
+    }
     return offsets;
 }
 
@@ -129,10 +131,12 @@ EndOffsets end_offsets_y(const End& a, const End& b, float dx, float dy)
     const bool will_draw_end = dy > 0 ? yb <= 0 : yb > 0;
     const float edge = dy > 0 ? 0.5f : -0.5f;
     EndOffsets offsets;
-    if (will_draw_start != drawn.start)
+    if (will_draw_start != drawn.start) {
         offsets.first = -ya + edge;
-    if (will_draw_end != drawn.end)
+    }
+    if (will_draw_end != drawn.end) {
         offsets.second = -yb + edge;
+    }
     return offsets;
 }
 
@@ -142,8 +146,9 @@ bool line_corners(const glm::vec4& first, const glm::vec4& second, float width,
                   std::array<LineCorner, 4>& corners)
 {
     const float dx = first.x - second.x, dy = first.y - second.y;
-    if (dx * dx + dy * dy == 0)
+    if (dx * dx + dy * dy == 0) {
         return false;
+    }
     const bool x_major = std::fabs(dx) >= std::fabs(dy);
     const End a = x_major ? End{first.x, first.y} : End{first.y, first.x};
     const End b = x_major ? End{second.x, second.y} : End{second.y, second.x};

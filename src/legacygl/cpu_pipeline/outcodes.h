@@ -28,9 +28,11 @@ public:
     /// Returns whether one of the vertices is beyond one of the planes.
     bool any(std::uint32_t first, std::uint32_t count, std::uint32_t planes) const
     {
-        for (std::uint32_t vertex = first; vertex < first + count; ++vertex)
-            if (of(vertex) & planes)
+        for (std::uint32_t vertex = first; vertex < first + count; ++vertex) {
+            if (of(vertex) & planes) {
                 return true;
+            }
+        }
         return false;
     }
 
@@ -51,8 +53,9 @@ public:
         std::uint32_t last = 0;
         for (std::uint32_t vertex = 0; vertex < batch_.vertex_count; ++vertex) {
             const std::uint32_t now = sides(vertex);
-            if (last & now)
+            if (last & now) {
                 return true;
+            }
             last = now;
         }
         return false;
@@ -64,8 +67,9 @@ private:
         const float* values =
             batch_.vertices.data() + static_cast<std::size_t>(vertex) * batch_.format.floats();
         glm::vec4 position = {0, 0, 0, 1};
-        for (int c = 0; c < batch_.format.components[0]; ++c)
+        for (int c = 0; c < batch_.format.components[0]; ++c) {
             position[c] = values[c];
+        }
         return projection_modelview_.transform(position);
     }
 

@@ -42,11 +42,12 @@ inline PixelBox box_of(std::span<const ShadedVertex> vertices, float reach)
 {
     constexpr float FAR = FARTHEST;
     glm::vec4 least(FAR), greatest(-FAR);
-    for (const ShadedVertex& vertex : vertices)
+    for (const ShadedVertex& vertex : vertices) {
         for (int i = 0; i < 2; ++i) {
             least[i] = std::min(least[i], std::max(vertex.window[i], -FAR));
             greatest[i] = std::max(greatest[i], std::min(vertex.window[i], FAR));
         }
+    }
     return {static_cast<int>(std::floor(least.x - reach)) - 1,
             static_cast<int>(std::floor(least.y - reach)) - 1,
             static_cast<int>(std::ceil(greatest.x + reach)) + 1,

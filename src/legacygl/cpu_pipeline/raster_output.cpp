@@ -17,13 +17,17 @@ RasterOutput::RasterOutput(const ShaderKey& key, const ViewportTransform& viewpo
     hold(Attribute::position, 4);
     hold(SHADED_EXTRA, 4);
     hold(Attribute::color, 4);
-    if (key.secondary())
+    if (key.secondary()) {
         hold(Attribute::secondary_color, 4);
-    if (key.fog_mode)
+    }
+    if (key.fog_mode) {
         hold(Attribute::fog_coordinate, 1);
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (key.textures[unit].format != BaseFormat::none)
+    }
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (key.textures[unit].format != BaseFormat::none) {
             hold(texture_coordinate(unit), 4);
+        }
+    }
 }
 
 bool RasterOutput::overlaps_last_draw(const PixelBox& box) const
@@ -43,8 +47,9 @@ void RasterOutput::begin(const ShadedDraw& wanted, const PixelBox& box)
         draws_.back().first = count_;
         boxes_.clear();
     }
-    if (!apart_)
+    if (!apart_) {
         return;
+    }
     draws_.back().box.include(box);
     boxes_.push_back(box);
 }
@@ -55,13 +60,17 @@ void RasterOutput::add(const glm::vec4& clip, const glm::vec4& extra, const Vary
     put(clip);
     put(extra);
     put(varyings.color[0]);
-    if (format_.has(Attribute::secondary_color))
+    if (format_.has(Attribute::secondary_color)) {
         put(varyings.secondary[0]);
-    if (format_.has(Attribute::fog_coordinate))
+    }
+    if (format_.has(Attribute::fog_coordinate)) {
         vertices_.push_back(varyings.fog);
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (format_.has(texture_coordinate(unit)))
+    }
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (format_.has(texture_coordinate(unit))) {
             put(varyings.texture[unit]);
+        }
+    }
     ++count_;
     ++draws_.back().count;
 }
@@ -83,10 +92,11 @@ void RasterOutput::line(const ShadedVertex& a, const ShadedVertex& b, bool reach
 {
     const std::array<ShadedVertex, 2> ends = {a, b};
     begin({PrimitiveClass::lines, Coverage::whole, false, reaches, 0, 0, {}}, box_of(ends, line_reach_));
-    for (const ShadedVertex& v : ends)
+    for (const ShadedVertex& v : ends) {
         add(reaches ? grown_viewport_.clip_onto(v.window, viewport_.clip(v.window, VIEWPORT_MARGIN))
                     : clip_of(v),
             {}, v.varyings);
+    }
 }
 
 void RasterOutput::triangle(const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c)
@@ -95,8 +105,9 @@ void RasterOutput::triangle(const ShadedVertex& a, const ShadedVertex& b, const 
     const bool cut = (a.outside | b.outside | c.outside) != 0;
     begin({PrimitiveClass::triangles, Coverage::whole, true, false, 0, 0, {}},
           cut ? EVERYWHERE : box_of(corners, 0));
-    for (const ShadedVertex& v : corners)
+    for (const ShadedVertex& v : corners) {
         add(clip_of(v), {}, v.varyings);
+    }
 }
 
 void RasterOutput::quadrilateral(Coverage coverage, const std::array<ShadedVertex, 4>& corners,
@@ -104,9 +115,10 @@ void RasterOutput::quadrilateral(Coverage coverage, const std::array<ShadedVerte
 {
     begin({PrimitiveClass::triangles, coverage, false, true, 0, 0, {}}, box_of(corners, 0));
     // Cut as Mesa cuts it: a smooth line's corners are given as those of a strip.
-    constexpr std::array<std::size_t, 6> around = {0, 1, 2, 0, 2, 3}, strip = {2, 1, 0, 3, 1, 2};
-    for (const std::size_t i : coverage == Coverage::line ? strip : around)
+    constexpr std::array<std::size_t, 6> FAN = {0, 1, 2, 0, 2, 3}, STRIP = {2, 1, 0, 3, 1, 2};
+    for (const std::size_t i : coverage == Coverage::line ? STRIP : FAN) {
         add(viewport_.clip(corners[i].window, VIEWPORT_MARGIN), values[i], corners[i].varyings);
+    }
 }
 
 } // namespace legacygl

@@ -27,8 +27,9 @@ inline Varyings mix(const Varyings& from, const Varyings& to, float t)
         out.color[i] = between(from.color[i], to.color[i]);
         out.secondary[i] = between(from.secondary[i], to.secondary[i]);
     }
-    for (std::size_t i = 0; i < TEXTURE_UNIT_COUNT; ++i)
+    for (std::size_t i = 0; i < TEXTURE_UNIT_COUNT; ++i) {
         out.texture[i] = between(from.texture[i], to.texture[i]);
+    }
     out.fog = from.fog + t * (to.fog - from.fog);
     return out;
 }

@@ -11,10 +11,11 @@ void add_smooth_line(const ShadedVertex& a, const ShadedVertex& b, float width, 
 {
     const float dx = b.window.x - a.window.x, dy = b.window.y - a.window.y;
     const float length = std::sqrt(dx * dx + dy * dy);
-    if (length == 0)
+    if (length == 0) {
         return;
+    }
     const float c = dx / length, s = dy / length;
-    const float clamped_width = std::min(std::max(width, 1.0f), MAXIMUM_LINE_WIDTH);
+    const float clamped_width = std::min(std::max(width, 1.0f), MAX_LINE_WIDTH);
     const float half_width = clamped_width <= 1 ? 1.0f : 0.5f * clamped_width + 0.5f;
     const float half_length = 0.5f * length + 0.5f;
     std::array<ShadedVertex, 4> corners = {a, a, b, b};

@@ -40,12 +40,15 @@ public:
 
     void run()
     {
-        if (key_.local_viewer && key_.specular)
+        if (key_.local_viewer && key_.specular) {
             eye_direction_ = rgb(in_.eye) * inverse_square_root(dot(rgb(in_.eye), rgb(in_.eye)));
-        for (int face = 0; face < faces(); ++face)
+        }
+        for (int face = 0; face < faces(); ++face) {
             add_scene_color(face);
-        for (int i = 0; i < key_.light_count; ++i)
+        }
+        for (int i = 0; i < key_.light_count; ++i) {
             add_light(i);
+        }
     }
 
 private:
@@ -104,21 +107,23 @@ private:
         }
         light.n_direction = dot(in_.normal, direction);
         light.n_half = key_.specular ? dot(in_.normal, half_vector(i, kind, base, direction)) : 0.0f;
-        for (int face = 0; face < faces(); ++face)
+        for (int face = 0; face < faces(); ++face) {
             add_face(face, base, light);
+        }
     }
 
     glm::vec3 half_vector(int i, const LightKey& kind, int base, const glm::vec3& direction) const
     {
         glm::vec3 h;
-        if (key_.local_viewer)
+        if (key_.local_viewer) {
             h = direction - eye_direction_;
-        else if (!key_.eye_space)
+        } else if (!key_.eye_space) {
             h = rgb(in_.transform[layout_.object_lights + 2 * i + 1]);
-        else if (!kind.positional)
+        } else if (!kind.positional) {
             h = rgb(in_.lighting[base + HALF_VECTOR]);
-        else
+        } else {
             h = direction + glm::vec3(0, 0, 1);
+        }
         return key_.local_viewer || kind.positional ? h * inverse_square_root(dot(h, h)) : h;
     }
 
@@ -133,12 +138,13 @@ private:
         const float sign = face == 0 ? 1.0f : -1.0f;
         const float x = sign * light.n_direction;
         float diffuse_part = std::max(0.0f, x), specular_part = 0;
-        if (key_.specular)
+        if (key_.specular) {
             specular_part = 0 >= x ? 0.0f
                                    : approximate_pow(std::max(sign * light.n_half, 0.0f),
                                                      face_value(face, FACE_SHININESS).x);
-        else
+        } else {
             specular_part = 0 < x ? 1.0f : 0.0f;
+        }
         glm::vec4& color = out_.color[face];
         const glm::vec3 ambient_part = product(face, base, ambient, FACE_AMBIENT);
         if (light.attenuated) {

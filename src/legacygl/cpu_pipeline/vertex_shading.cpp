@@ -29,8 +29,9 @@ float dot(const glm::vec4& a, const glm::vec4& b)
 glm::vec4 clamped(const glm::vec4& v)
 {
     glm::vec4 out;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         out[i] = std::min(std::max(v[i], 0.0f), 1.0f);
+    }
     return out;
 }
 
@@ -53,11 +54,13 @@ void read_vertex(const VertexBatch& batch, std::uint32_t index, CurrentAttribute
     const float* v = batch.vertices.data() + static_cast<std::size_t>(index) * batch.format.floats();
     for (int a = 0; a < ATTRIBUTE_COUNT; ++a) {
         const int components = batch.format.components[a];
-        if (components == 0)
+        if (components == 0) {
             continue;
+        }
         out[a] = {0, 0, 0, 1};
-        for (int c = 0; c < components; ++c)
+        for (int c = 0; c < components; ++c) {
             out[a][c] = *v++;
+        }
     }
 }
 
@@ -76,8 +79,9 @@ VertexShading::VertexShading(const State& state, const ShaderKey& key)
 /// Without lighting there is no room for the lights that are enabled all the same.
 void VertexShading::fill_lighting_values()
 {
-    if (key_.lighting)
+    if (key_.lighting) {
         fill_lighting(lighting_, key_, lighting_values_);
+    }
 }
 
 std::vector<ShadedVertex> VertexShading::shade(const VertexBatch& batch)
@@ -85,8 +89,9 @@ std::vector<ShadedVertex> VertexShading::shade(const VertexBatch& batch)
     std::vector<ShadedVertex> out(batch.vertex_count);
     CurrentAttributes attributes = state_.current;
     auto change = batch.material_changes.begin();
-    if (change != batch.material_changes.end())
+    if (change != batch.material_changes.end()) {
         set_materials(batch.materials_before);
+    }
     for (std::uint32_t i = 0; i < batch.vertex_count; ++i) {
         for (; change != batch.material_changes.end() && change->vertex == i; ++change) {
             lighting_.set_material(change->face, change->name, change->values);
@@ -114,22 +119,23 @@ glm::vec3 VertexShading::eye_normal(const glm::vec4& normal) const
         };
         n = {row(0), row(1), row(2)};
     }
-    if (key_.normalize)
+    if (key_.normalize) {
         return n * (1.0f / std::sqrt(dot(n, n)));
+    }
     return key_.needs_normal_scale() ? n * transform_values_[layout_.normal_scale].x : n;
 }
 
 float VertexShading::point_size(const glm::vec4& eye) const
 {
     const PointParameters& parameters = state_.raster.point_parameters;
-    if (!parameters.attenuates())
+    if (!parameters.attenuates()) {
         return state_.raster.clamped_point_size();
+    }
     const float distance = std::fabs(eye.z);
     const std::array<float, 3>& a = parameters.attenuation;
     const float attenuated =
         1.0f / std::sqrt(distance * (distance * a[2] + a[1]) + a[0]) * state_.raster.point_size;
-    return std::min(std::min(std::max(attenuated, parameters.minimum), parameters.maximum),
-                    MAXIMUM_POINT_SIZE);
+    return std::min(std::min(std::max(attenuated, parameters.minimum), parameters.maximum), MAX_POINT_SIZE);
 }
 
 void VertexShading::place(const glm::vec4& position, ShadedVertex& vertex) const
@@ -147,12 +153,13 @@ void VertexShading::texture(int unit, const CurrentAttributes& attributes, const
     const int base = unit * UNIT_SIZE;
     glm::vec4 s = attributes[index_of(texture_coordinate(unit))];
     for (int i = 0; i < 4; ++i) {
-        if (texture.generation[i] == GL_OBJECT_LINEAR)
+        if (texture.generation[i] == GL_OBJECT_LINEAR) {
             s[i] = dot(attributes[0], texturing_values_[base + OBJECT_PLANES + i]);
-        else if (texture.generation[i] == GL_EYE_LINEAR)
+        } else if (texture.generation[i] == GL_EYE_LINEAR) {
             s[i] = dot(eye, texturing_values_[base + EYE_PLANES + i]);
-        else if (texture.generation[i] == GL_SPHERE_MAP)
+        } else if (texture.generation[i] == GL_SPHERE_MAP) {
             s[i] = sphere[i];
+        }
     }
     vertex.varyings.texture[unit] = texture.matrix ? columns_times(texturing_values_, base + MATRIX, s) : s;
 }
@@ -166,28 +173,36 @@ ShadedVertex VertexShading::shade(const CurrentAttributes& attributes) const
     place(position, vertex);
     glm::vec4 eye{0, 0, 0, 1}, sphere{0, 0, 0, 1};
     glm::vec3 normal{0, 0, 1};
-    if (layout_.modelview >= 0 || state_.raster.point_parameters.attenuates())
+    if (layout_.modelview >= 0 || state_.raster.point_parameters.attenuates()) {
         eye = state_.transform.modelview.top().transform(position);
-    if (key_.needs_normal())
+    }
+    if (key_.needs_normal()) {
         normal = eye_normal(attributes[index_of(Attribute::normal)]);
-    if (key_.lighting)
+    }
+    if (key_.lighting) {
         light_vertex(key_, {normal, eye, color, transform_values_, lighting_values_}, varyings);
-    else
+    } else {
         varyings.color[0] = color;
-    if (key_.color_sum)
+    }
+    if (key_.color_sum) {
         varyings.secondary[0] = attributes[index_of(Attribute::secondary_color)];
+    }
     for (std::size_t face = 0; face < 2; ++face) {
         varyings.color[face] = clamped(varyings.color[face]);
         varyings.secondary[face] = clamped(varyings.secondary[face]);
     }
-    if (key_.generates(GL_SPHERE_MAP))
+    if (key_.generates(GL_SPHERE_MAP)) {
         sphere = sphere_coordinates(normal, eye);
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (key_.textures[unit].format != BaseFormat::none)
+    }
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (key_.textures[unit].format != BaseFormat::none) {
             texture(unit, attributes, eye, sphere, vertex);
-    if (key_.fog_mode)
+        }
+    }
+    if (key_.fog_mode) {
         varyings.fog =
             key_.fog_coordinate ? attributes[index_of(Attribute::fog_coordinate)].x : std::fabs(eye.z);
+    }
     vertex.point_size = point_size(eye);
     vertex.edge_flag = attributes[index_of(Attribute::edge_flag)].x != 0;
     return vertex;

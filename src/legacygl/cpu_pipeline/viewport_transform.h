@@ -78,19 +78,23 @@ public:
     glm::vec4 clip_onto(const glm::vec4& window, glm::vec4 clip) const
     {
         for (int i = 0; i < 3; ++i) {
-            if (scale_[i] == 0)
+            if (scale_[i] == 0) {
                 continue;
+            }
             const auto miss = [&](float value) {
                 return std::fabs(fused(value * (1.0f / clip.w), scale_[i], translate_[i]) - window[i]);
             };
             const float computed = (window[i] - translate_[i]) / scale_[i] * clip.w;
-            if (!(miss(clip[i]) <= miss(computed)))
+            if (!(miss(clip[i]) <= miss(computed))) {
                 clip[i] = computed;
+            }
             clip[i] = std::fmax(std::fmin(clip[i], clip.w), -clip.w);
-            for (const float towards : {-clip.w, clip.w})
+            for (const float towards : {-clip.w, clip.w}) {
                 for (float next = std::nextafter(clip[i], towards); miss(next) < miss(clip[i]);
-                     next = std::nextafter(clip[i], towards))
+                     next = std::nextafter(clip[i], towards)) {
                     clip[i] = next;
+                }
+            }
         }
         return clip;
     }

@@ -24,16 +24,19 @@ MesaQuadOrders::MesaQuadOrders(const State& state, const VertexBatch& batch,
 QuadOrder MesaQuadOrders::of(std::size_t i)
 {
     const GLenum mode = primitives_[i].mode;
-    if (mode != GL_QUADS && mode != GL_QUAD_STRIP)
+    if (mode != GL_QUADS && mode != GL_QUAD_STRIP) {
         return {};
-    if (!emitted_)
+    }
+    if (!emitted_) {
         return {false, false};
+    }
     if (i >= known_until_) {
         known_until_ = i + 1;
         // Mesa takes neighbouring quads together.
         while (mode == GL_QUADS && known_until_ < primitives_.size() &&
-               primitives_[known_until_].mode == GL_QUADS && !primitives_[known_until_].indexed)
+               primitives_[known_until_].mode == GL_QUADS && !primitives_[known_until_].indexed) {
             ++known_until_;
+        }
         inside_ = all_inside(i, known_until_);
     }
     return {inside_ && from_first_ && !primitives_[i].indexed, inside_};
@@ -41,13 +44,15 @@ QuadOrder MesaQuadOrders::of(std::size_t i)
 
 bool MesaQuadOrders::all_inside(std::size_t first, std::size_t end)
 {
-    if (!outcodes_)
+    if (!outcodes_) {
         outcodes_.emplace(state_.transform, batch_);
+    }
     for (std::size_t p = first; p < end; ++p) {
         const Primitive& quads = primitives_[p];
         const std::uint32_t size = quads.mode == GL_QUADS ? 4 : 2;
-        if (outcodes_->any(quads.first, quads.count / size * size, ClipVolume::ALL))
+        if (outcodes_->any(quads.first, quads.count / size * size, ClipVolume::ALL)) {
             return false;
+        }
     }
     return true;
 }

@@ -1,12 +1,11 @@
 #include "legacygl/draw/renderer.h"
 
-#include "legacygl/cpu_pipeline/outcodes.h"
+#include "legacygl/draw/es_limits.h"
 #include "legacygl/draw/quad_order.h"
 #include "legacygl/shader/shader_text.h"
 #include "legacygl/shader/shader_values.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace legacygl {
@@ -34,9 +33,11 @@ bool takes_vertex_color(const State& state, std::uint32_t varying)
 /// Returns whether the key has those texture coordinates constant that do not vary.
 bool same_constants(const ShaderKey& key, std::uint32_t varying)
 {
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (key.textures[unit].constant != key.textures[unit].takes_one_coordinate(unit, varying))
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (key.textures[unit].constant != key.textures[unit].takes_one_coordinate(unit, varying)) {
             return false;
+        }
+    }
     return true;
 }
 
@@ -69,14 +70,16 @@ Pipeline make_pipeline(const State& state)
     p.stencil = state.fragment.stencil;
     p.blend = state.fragment.blend;
     p.blend.enabled = p.blend.enabled && !state.fragment.color_logic_op;
-    if (p.blend.weighs_by_both_constants())
+    if (p.blend.weighs_by_both_constants()) {
         p.blend.source_rgb = GL_ONE;
+    }
     p.polygon_offset = state.raster.polygon_offset_fill;
     p.polygon_offset_factor_units = {state.raster.polygon_offset_factor, state.raster.polygon_offset_units};
-    if (state.fragment.draw_buffer == GL_NONE)
+    if (state.fragment.draw_buffer == GL_NONE) {
         p.color_mask = {};
-    else
+    } else {
         p.color_mask = state.fragment.color_mask;
+    }
     p.draws_front = state.fragment.draws_front();
     p.draws_back = state.fragment.draws_back();
     p.dither = state.fragment.dither;
@@ -89,8 +92,9 @@ const ShaderKey& Renderer::key_for(const State& state, PrimitiveClass primitive,
     const bool same_kind = key_ && !key_->shaded && key_->points == (primitive == PrimitiveClass::points) &&
                            key_->polygon_stipple == stipples(state, primitive) &&
                            key_->flat == takes_one_color(state, varying) && same_constants(*key_, varying);
-    if (same_kind && !(changed_ & ~change::matrices) && (!changed_ || keeps_length(state) == keeps_length_))
+    if (same_kind && !(changed_ & ~change::matrices) && (!changed_ || keeps_length(state) == keeps_length_)) {
         return *key_;
+    }
     keeps_length_ = keeps_length(state);
     return use(make_shader_key(state, primitive, varying));
 }
@@ -100,7 +104,7 @@ const ShaderKey& Renderer::use(const ShaderKey& key)
     if (!key_ || !(key == *key_)) {
         key_ = key;
         layout_ = TransformLayout(key);
-        changed_ |= change::everything; // The uniform arrays are laid out anew.
+        changed_ |= change::everything; // The uniform arrays have another layout.
         draw_state_.program = 0;
     }
     return *key_;
@@ -117,8 +121,9 @@ std::uint32_t Renderer::attributes_read(const State& state)
 ProgramId Renderer::program(const ShaderKey& key)
 {
     ProgramId& id = programs_[key];
-    if (id == 0)
+    if (id == 0) {
         id = backend_.create_program(make_program_text(key));
+    }
     return id;
 }
 
@@ -126,25 +131,29 @@ ProgramId Renderer::program(const ShaderKey& key)
 TextureId Renderer::texture(Texture& texture)
 {
     const bool made = !texture.object.valid();
-    if (made)
+    if (made) {
         texture.object.set(backend_, backend_.create_texture());
+    }
     const TextureId id = texture.object.id();
     const bool derives = texture.levels_to_derive || (made && has_derived_levels(texture));
     const auto upload = [&](std::size_t level, bool anyway) {
         TextureImage& image = texture.levels[level];
-        if ((anyway || image.changed) && !image.derived && image.width > 0 && image.height > 0)
+        if ((anyway || image.changed) && !image.derived && image.width > 0 && image.height > 0) {
             backend_.texture_image(id, static_cast<int>(level), image.width, image.height, image.rgba);
+        }
         image.changed = false;
     };
-    for (std::size_t level = 0; level < texture.levels.size(); ++level)
+    for (std::size_t level = 0; level < texture.levels.size(); ++level) {
         upload(level, made);
+    }
     if (derives) {
         backend_.sampling(id, texture.parameters.sampling); // Levels are derived from the base level on.
         backend_.generate_mipmap(id);
         texture.levels_to_derive = false;
         for (auto level = static_cast<std::size_t>(texture.parameters.sampling.base_level) + 1;
-             level < texture.levels.size(); ++level)
+             level < texture.levels.size(); ++level) {
             upload(level, true); // What was given after all.
+        }
     }
     if (made || texture.sampling_changed) {
         backend_.sampling(id, texture.parameters.sampling);
@@ -168,29 +177,37 @@ const DrawState& Renderer::prepare(const State& state, const ShaderKey& key)
         draw_state_.constants = &state.current;
         return draw_state_;
     }
-    if (draw_state_.program == 0)
+    if (draw_state_.program == 0) {
         draw_state_.program = program(key);
-    if (changed_ & (change::matrices | change::lighting))
+    }
+    if (changed_ & (change::matrices | change::lighting)) {
         refill(UniformGroup::transform, layout_.size,
                [&](std::span<glm::vec4> out) { fill_transform(state, key, layout_, out); });
-    if (key.lighting && (changed_ & change::lighting))
+    }
+    if (key.lighting && (changed_ & change::lighting)) {
         refill(UniformGroup::lighting, lighting_layout::size(key.light_count),
                [&](std::span<glm::vec4> out) { fill_lighting(state.lighting, key, out); });
-    if (key.textured() && (changed_ & change::texturing))
+    }
+    if (key.textured() && (changed_ & change::texturing)) {
         refill(UniformGroup::texturing, texturing_layout::SIZE,
                [&](std::span<glm::vec4> out) { fill_texturing(state, out); });
-    if (key.reads_fragments() && (changed_ & change::fragments))
+    }
+    if (key.reads_fragments() && (changed_ & change::fragments)) {
         refill(UniformGroup::fragments, fragments_layout::size(key.polygon_stipple),
                [&](std::span<glm::vec4> out) { fill_fragments(state, target_copy_origin_, out); });
-    if (changed_ & change::texturing)
+    }
+    if (changed_ & change::texturing) {
         for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
             Texture* used = state.texturing.used(state.texturing.units[unit]);
             draw_state_.textures[unit] = used ? texture(*used) : 0;
         }
-    if (changed_ & change::pipeline)
+    }
+    if (changed_ & change::pipeline) {
         draw_state_.pipeline = make_pipeline(state);
-    if (changed_ & ~change::matrices)
+    }
+    if (changed_ & ~change::matrices) {
         ++draw_state_.revision;
+    }
     draw_state_.constants = &state.current;
     changed_ = 0;
     return draw_state_;
@@ -215,8 +232,9 @@ void Renderer::for_each_program(const State& state, std::uint32_t varying, std::
 
 void Renderer::draw(const State& state, const VertexBatch& batch)
 {
-    if (const std::optional<RasterWork> work = raster_work(state, batch, batch))
+    if (const std::optional<RasterWork> work = raster_work(state, backend_, batch, batch)) {
         return draw_shaded(state, batch, *work, false);
+    }
     const std::span<const Primitive> primitives = batch.primitives;
     draw_batch(state, batch, primitives.first(batch.primitives_of_one_color()), batch.varying(true));
     draw_batch(state, batch, primitives.subspan(batch.primitives_of_one_color()), batch.varying(false));
@@ -225,8 +243,9 @@ void Renderer::draw(const State& state, const VertexBatch& batch)
 void Renderer::draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
                           std::uint32_t varying)
 {
-    if (primitives.empty())
+    if (primitives.empty()) {
         return;
+    }
     runs_.clear();
     indices_.clear();
     MesaQuadOrders quad_orders(state, batch, primitives, takes_vertex_color(state, varying), false);
@@ -239,72 +258,24 @@ void Renderer::draw_batch(const State& state, const VertexBatch& batch, std::spa
 void Renderer::draw(const State& state, ListGeometry& geometry)
 {
     const ListGeometry::Vertices& vertices = *geometry.vertices;
-    if (const std::optional<RasterWork> work = raster_work(state, geometry.traits, vertices.batch))
+    if (const std::optional<RasterWork> work =
+            raster_work(state, backend_, geometry.traits, vertices.batch)) {
         return draw_shaded(state, vertices.batch, *work, true);
-    if (!geometry.object.valid())
+    }
+    if (!geometry.object.valid()) {
         geometry.object.set(backend_,
                             backend_.create_geometry(geometry.traits.format, vertices.batch.used_vertices(),
                                                      vertices.indices));
+    }
     const auto draw = [&](const DrawState& draw_state, std::span<const DrawRun> runs) {
-        if (!backend_.draw(draw_state, geometry.object.id(), runs))
+        if (!backend_.draw(draw_state, geometry.object.id(), runs)) {
             backend_.draw_stream(draw_state, geometry.traits.format, vertices.batch.used_vertices(),
                                  vertices.indices, runs);
+        }
     };
     const std::span<const DrawRun> runs = geometry.runs();
     for_each_program(state, geometry.traits.varying(true), runs.first(geometry.runs_of_one_color), draw);
     for_each_program(state, geometry.traits.varying(false), runs.subspan(geometry.runs_of_one_color), draw);
-}
-
-/// Returns whether no pixel of the target is outside the viewport. ES may cut points and lines off at the
-/// viewport's edge, and OpenGL does not.
-bool Renderer::viewport_holds_target(const State& state) const
-{
-    const std::array<GLint, 4>& v = state.transform.viewport;
-    return v[0] <= 0 && v[1] <= 0 && v[0] + v[2] >= backend_.target_width &&
-           v[1] + v[3] >= backend_.target_height;
-}
-
-/// Returns whether ES would draw less of the lines of a batch than OpenGL does: where they reach beyond the
-/// viewport, or where it does not cut those that leave the view.
-bool Renderer::loses_lines(const State& state, const VertexBatch& batch, bool beyond_viewport)
-{
-    if (!beyond_viewport && backend_.clips_lines())
-        return false;
-    const Outcodes outcodes(state.transform, batch);
-    const std::array<GLint, 4>& v = state.transform.viewport;
-    if (beyond_viewport && outcodes.any_along_a_side({v[2], v[3]}))
-        return true;
-    return !backend_.clips_lines() && outcodes.any(0, batch.vertex_count, ClipVolume::SIDES);
-}
-
-/// Returns what ES cannot do itself for some of the primitives; nothing when it can do all. batch: the
-/// vertices that the traits are of.
-std::optional<RasterWork> Renderer::raster_work(const State& state, const BatchTraits& traits,
-                                                const VertexBatch& batch)
-{
-    const RasterState& raster = state.raster;
-    const float line_width = std::floor(raster.line_width + 0.5f);
-    const bool beyond_viewport = !viewport_holds_target(state);
-    const RasterWork work{raster.unfilled() || raster.offsets_in_pipeline(),
-                          line_width > backend_.maximum_line_width, raster.line_smooth, raster.point_smooth,
-                          beyond_viewport};
-    const bool own_materials = state.lighting.enabled && traits.changes_materials;
-    const bool all =
-        state.transform.clips() || own_materials || state.fragment.effective_logic_op() != GL_COPY ||
-        (raster.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && state.lighting.shade_model == GL_FLAT);
-    constexpr std::uint32_t POINTS = 1u << GL_POINTS,
-                            LINES = 1u << GL_LINES | 1u << GL_LINE_STRIP | 1u << GL_LINE_LOOP;
-    std::uint32_t needed = all ? ~0u : 0;
-    if (work.smooth_points || raster.point_parameters.attenuates() || beyond_viewport)
-        needed |= POINTS;
-    if (work.smooth_lines || work.line_quads || raster.line_stipple.stipples() ||
-        (beyond_viewport && line_width > 1))
-        needed |= LINES;
-    if (work.unfilled)
-        needed |= ~(POINTS | LINES);
-    const bool does =
-        (traits.modes & needed) || ((traits.modes & LINES) && loses_lines(state, batch, beyond_viewport));
-    return does ? std::optional(work) : std::nullopt;
 }
 
 void Renderer::draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list)
@@ -320,8 +291,9 @@ void Renderer::draw_shaded(const State& state, const VertexBatch& batch,
                            std::span<const Primitive> primitives, std::uint32_t varying,
                            const RasterWork& work, bool in_list)
 {
-    if (primitives.empty())
+    if (primitives.empty()) {
         return;
+    }
     ShaderKey key = make_shader_key(state, PrimitiveClass::triangles, varying);
     key.specular = key.specular || shines(batch);
     VertexShading shading(state, key);
@@ -342,8 +314,9 @@ void Renderer::draw_shaded(const State& state, const ShaderKey& shading, const R
                            const RasterOutput& output)
 {
     for (const ShadedDraw& draw : output.draws()) {
-        if (state.fragment.effective_logic_op() != GL_COPY && !copy_target(state, draw.box))
+        if (state.fragment.effective_logic_op() != GL_COPY && !copy_target(state, draw.box)) {
             continue;
+        }
         draw_shaded(state, shading, work, output, draw);
         draw_state_.textures[TARGET_COPY_SAMPLER] = 0;
     }
@@ -356,8 +329,9 @@ bool Renderer::copy_target(const State& state, const PixelBox& box)
     const std::array<GLint, 4>& v = state.transform.viewport;
     const PixelBox seen = box.within(
         {std::max(0, v[0] - MARGIN), std::max(0, v[1] - MARGIN), v[0] + v[2] + MARGIN, v[1] + v[3] + MARGIN});
-    if (seen.empty())
+    if (seen.empty()) {
         return false;
+    }
     draw_state_.textures[TARGET_COPY_SAMPLER] =
         target_copy_.read(backend_, state.fragment.draws_front() && !state.fragment.draws_back(), seen);
     target_copy_origin_ = {seen.x0, seen.y0, 0, 0};
@@ -374,8 +348,9 @@ void Renderer::draw_shaded(const State& state, const ShaderKey& shading, const R
     ++draw_state_.revision;
     Pipeline& fixed = draw_state_.pipeline;
     fixed = make_pipeline(state);
-    if (work.unfilled || !draw.polygons)
+    if (work.unfilled || !draw.polygons) {
         fixed.cull_face = fixed.polygon_offset = false;
+    }
     for (std::size_t i = 0; draw.grown && i < 2; ++i) {
         fixed.viewport[i] -= VIEWPORT_MARGIN;
         fixed.viewport[i + 2] += 2 * VIEWPORT_MARGIN;

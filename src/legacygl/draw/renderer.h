@@ -15,7 +15,7 @@
 
 namespace legacygl {
 
-/// Turns state and vertices into draws of the backend, computing anew only what changed.
+/// Turns state and vertices into draws of the backend, recomputing only what changed.
 class Renderer
 {
 public:
@@ -42,10 +42,6 @@ private:
     const ShaderKey& key_for(const State& state, PrimitiveClass primitive, std::uint32_t varying);
     const ShaderKey& use(const ShaderKey& key);
     const DrawState& prepare(const State& state, const ShaderKey& key);
-    std::optional<RasterWork> raster_work(const State& state, const BatchTraits& traits,
-                                          const VertexBatch& batch);
-    bool loses_lines(const State& state, const VertexBatch& batch, bool beyond_viewport);
-    bool viewport_holds_target(const State& state) const;
     void draw_batch(const State& state, const VertexBatch& batch, std::span<const Primitive> primitives,
                     std::uint32_t varying);
     void draw_shaded(const State& state, const VertexBatch& batch, const RasterWork& work, bool in_list);

@@ -23,8 +23,9 @@ void enable_array(const char* entry, GLenum name, bool enabled)
         entry,
         [enabled](Context& gl, GLenum n) {
             ClientArray* array = find_array(gl, n);
-            if (!array)
+            if (!array) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             array->enabled = enabled;
         },
         name);
@@ -32,9 +33,11 @@ void enable_array(const char* entry, GLenum name, bool enabled)
 
 bool is_one_of(GLenum value, std::initializer_list<GLenum> values)
 {
-    for (GLenum v : values)
-        if (v == value)
+    for (GLenum v : values) {
+        if (v == value) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -45,10 +48,12 @@ void set_pointer(const char* entry, GLenum name, GLint size, GLenum type, GLsize
     dispatch_now<Where::anywhere>(
         entry,
         [=](Context& gl, GLint s, GLenum t, GLsizei st) {
-            if (s < least || s > greatest || st < 0)
+            if (s < least || s > greatest || st < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
-            if (!type_is_good)
+            }
+            if (!type_is_good) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             ClientArray& array = *find_array(gl, name);
             array.size = s;
             array.type = t;
@@ -66,15 +71,20 @@ void draw(Context& gl, VertexAssembler& to, GLenum mode, GLsizei count, bool ind
 {
     const CurrentAttributes before = to.current();
     &to == &gl.immediate ? gl.begin(mode) : to.begin(mode);
-    if (indexed)
+    if (indexed) {
         to.set_indexed();
-    for (GLsizei i = 0; i < count; ++i)
+    }
+    for (GLsizei i = 0; i < count; ++i) {
         give_element(gl.client_arrays, index(i), to);
+    }
     &to == &gl.immediate ? gl.end() : to.end();
-    if (&to == &gl.immediate)
-        for (int a = 1; a < ATTRIBUTE_COUNT; ++a)
-            if (gl.client_arrays.arrays[a].enabled)
+    if (&to == &gl.immediate) {
+        for (int a = 1; a < ATTRIBUTE_COUNT; ++a) {
+            if (gl.client_arrays.arrays[a].enabled) {
                 to.attribute(static_cast<Attribute>(a), 4, before[a]);
+            }
+        }
+    }
 }
 
 /// Sends a draw of arrays to where vertices go; the arrays are read now, also for a list.
@@ -82,22 +92,29 @@ template <class Index>
 void draw_everywhere(const char* entry, GLenum mode, GLsizei count, bool indexed, Index index)
 {
     Context* gl = current_context;
-    if (!gl)
+    if (!gl) {
         return;
-    if (gl->capture.active())
+    }
+    if (gl->capture.active()) {
         gl->note(entry, mode, count);
-    if (mode > GL_POLYGON)
+    }
+    if (mode > GL_POLYGON) {
         return gl->set_error(GL_INVALID_ENUM);
-    if (count < 0)
+    }
+    if (count < 0) {
         return gl->set_error(GL_INVALID_VALUE);
-    if (gl->immediate.inside() && !gl->compiler)
+    }
+    if (gl->immediate.inside() && !gl->compiler) {
         return gl->set_error(GL_INVALID_OPERATION);
-    if (!gl->client_arrays.of(Attribute::position).enabled || count == 0)
+    }
+    if (!gl->client_arrays.of(Attribute::position).enabled || count == 0) {
         return;
+    }
     if (gl->compiler) {
         draw(*gl, gl->compiler->vertices(), mode, count, indexed, index);
-        if (!gl->compiler->executes())
+        if (!gl->compiler->executes()) {
             return;
+        }
     }
     draw(*gl, gl->immediate, mode, count, indexed, index);
 }
@@ -107,8 +124,9 @@ const std::uint8_t* index_bytes(const GLvoid* indices, std::size_t size)
 {
     const Context& gl = *current_context;
     const std::shared_ptr<BufferObject> buffer = gl.find_buffer(gl.client_arrays.bound_element_buffer);
-    if (!buffer)
+    if (!buffer) {
         return static_cast<const std::uint8_t*>(indices);
+    }
     const auto offset = reinterpret_cast<std::uintptr_t>(indices);
     return offset + size <= buffer->bytes.size() ? buffer->bytes.data() + offset : nullptr;
 }
@@ -135,8 +153,9 @@ void draw_elements(const char* entry, GLenum mode, GLsizei count, GLenum type, c
     case GL_UNSIGNED_INT:
         return draw_indices<GLuint>(entry, mode, count, indices);
     default:
-        if (current_context)
+        if (current_context) {
             current_context->set_error(GL_INVALID_ENUM);
+        }
     }
 }
 
@@ -178,14 +197,17 @@ void set_interleaved(const Interleaved& f, GLsizei stride, const void* pointer)
     enable(GL_EDGE_FLAG_ARRAY, false);
     enable(GL_INDEX_ARRAY, false);
     enable(GL_TEXTURE_COORD_ARRAY, f.texture_size != 0);
-    if (f.texture_size != 0)
+    if (f.texture_size != 0) {
         glTexCoordPointer(f.texture_size, GL_FLOAT, step, bytes);
+    }
     enable(GL_COLOR_ARRAY, f.color_size != 0);
-    if (f.color_size != 0)
+    if (f.color_size != 0) {
         glColorPointer(f.color_size, f.color_type, step, bytes + f.color_offset);
+    }
     enable(GL_NORMAL_ARRAY, f.normal);
-    if (f.normal)
+    if (f.normal) {
         glNormalPointer(GL_FLOAT, step, bytes + f.normal_offset);
+    }
     enable(GL_VERTEX_ARRAY, true);
     glVertexPointer(f.vertex_size, GL_FLOAT, step, bytes + f.vertex_offset);
 }
@@ -209,8 +231,9 @@ void glClientActiveTexture(GLenum texture)
     dispatch_now<Where::anywhere>(
         __func__,
         [](Context& gl, GLenum t) {
-            if (t < GL_TEXTURE0 || t >= GL_TEXTURE0 + TEXTURE_UNIT_COUNT)
+            if (t < GL_TEXTURE0 || t >= GL_TEXTURE0 + TEXTURE_UNIT_COUNT) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.texturing.client_active = static_cast<int>(t - GL_TEXTURE0);
         },
         texture);
@@ -266,24 +289,30 @@ void glIndexPointer(GLenum type, GLsizei stride, const GLvoid* ptr)
 
 void glInterleavedArrays(GLenum format, GLsizei stride, const GLvoid* pointer)
 {
-    for (const Interleaved& f : INTERLEAVED)
-        if (f.format == format && stride >= 0)
+    for (const Interleaved& f : INTERLEAVED) {
+        if (f.format == format && stride >= 0) {
             return set_interleaved(f, stride, pointer);
-    if (current_context)
+        }
+    }
+    if (current_context) {
         current_context->set_error(stride < 0 ? GL_INVALID_VALUE : GL_INVALID_ENUM);
+    }
 }
 
 void glArrayElement(GLint i)
 {
     Context* gl = current_context;
-    if (!gl)
+    if (!gl) {
         return;
-    if (gl->capture.active())
+    }
+    if (gl->capture.active()) {
         gl->note(__func__, i);
+    }
     if (gl->compiler) {
         give_element(gl->client_arrays, i, gl->compiler->vertices());
-        if (!gl->compiler->executes())
+        if (!gl->compiler->executes()) {
             return;
+        }
     }
     give_element(gl->client_arrays, i, gl->immediate);
 }
@@ -302,8 +331,9 @@ void glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, G
                          const GLvoid* indices)
 {
     if (end < start) {
-        if (current_context)
+        if (current_context) {
             current_context->set_error(GL_INVALID_VALUE);
+        }
         return;
     }
     draw_elements(__func__, mode, count, type, indices);
@@ -311,15 +341,17 @@ void glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, G
 
 void glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount)
 {
-    for (GLsizei i = 0; i < drawcount; ++i)
+    for (GLsizei i = 0; i < drawcount; ++i) {
         glDrawArrays(mode, first[i], count[i]);
+    }
 }
 
 void glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const GLvoid* const* indices,
                          GLsizei drawcount)
 {
-    for (GLsizei i = 0; i < drawcount; ++i)
+    for (GLsizei i = 0; i < drawcount; ++i) {
         glDrawElements(mode, count[i], type, indices[i]);
+    }
 }
 
 void glGetPointerv(GLenum pname, GLvoid** params)
@@ -327,11 +359,12 @@ void glGetPointerv(GLenum pname, GLvoid** params)
     dispatch_now(
         __func__,
         [params](Context& gl, GLenum name) {
-            for (const ClientArrayNames& names : CLIENT_ARRAY_NAMES)
+            for (const ClientArrayNames& names : CLIENT_ARRAY_NAMES) {
                 if (names.pointer == name) {
                     *params = const_cast<void*>(find_array(gl, names.array)->pointer);
                     return;
                 }
+            }
             gl.set_error(GL_INVALID_ENUM);
         },
         pname);

@@ -44,14 +44,17 @@ extern "C" {
 void glBegin(GLenum mode)
 {
     Context* gl = current_context;
-    if (!gl)
+    if (!gl) {
         return;
-    if (gl->capture.active())
+    }
+    if (gl->capture.active()) {
         gl->note("glBegin", mode);
+    }
     if (gl->compiler) {
         gl->compiler->vertices().begin(mode);
-        if (!gl->compiler->executes())
+        if (!gl->compiler->executes()) {
             return;
+        }
     }
     gl->begin(mode);
 }
@@ -59,14 +62,17 @@ void glBegin(GLenum mode)
 void glEnd()
 {
     Context* gl = current_context;
-    if (!gl)
+    if (!gl) {
         return;
-    if (gl->capture.active())
+    }
+    if (gl->capture.active()) {
         gl->note("glEnd");
+    }
     if (gl->compiler) {
         gl->compiler->vertices().end();
-        if (!gl->compiler->executes())
+        if (!gl->compiler->executes()) {
             return;
+        }
     }
     gl->end();
 }

@@ -41,8 +41,9 @@ void glDrawBuffer(GLenum mode)
         __func__,
         [](Context& gl, GLenum m) {
             const bool several = m == GL_NONE || m == GL_FRONT_AND_BACK;
-            if (const GLenum error = buffer_error(gl, m); !several && error != GL_NO_ERROR)
+            if (const GLenum error = buffer_error(gl, m); !several && error != GL_NO_ERROR) {
                 return gl.set_error(error);
+            }
             gl.state.fragment.draw_buffer = m;
             gl.renderer.changed(change::everything);
         },
@@ -54,8 +55,9 @@ void glReadBuffer(GLenum mode)
     dispatch(
         __func__,
         [](Context& gl, GLenum m) {
-            if (const GLenum error = buffer_error(gl, m); error != GL_NO_ERROR)
+            if (const GLenum error = buffer_error(gl, m); error != GL_NO_ERROR) {
                 return gl.set_error(error);
+            }
             gl.state.fragment.read_buffer = m;
         },
         mode);

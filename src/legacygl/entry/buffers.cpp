@@ -9,11 +9,12 @@ using namespace legacygl;
 
 namespace {
 
-/// Returns the binding of a target, or null when it is none.
+/// Returns the binding of a target, or null when it is not one.
 GLuint* binding(Context& gl, GLenum target)
 {
-    if (target == GL_ARRAY_BUFFER)
+    if (target == GL_ARRAY_BUFFER) {
         return &gl.client_arrays.bound_array_buffer;
+    }
     return target == GL_ELEMENT_ARRAY_BUFFER ? &gl.client_arrays.bound_element_buffer : nullptr;
 }
 
@@ -26,8 +27,9 @@ BufferObject* bound_buffer(Context& gl, GLenum target)
         return nullptr;
     }
     BufferObject* buffer = gl.find_buffer(*name).get();
-    if (!buffer)
+    if (!buffer) {
         gl.set_error(GL_INVALID_OPERATION);
+    }
     return buffer;
 }
 
@@ -40,12 +42,14 @@ void glGenBuffers(GLsizei n, GLuint* buffers)
     dispatch_now(
         __func__,
         [buffers](Context& gl, GLsizei count) {
-            if (count < 0)
+            if (count < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             GLuint name = 1;
             for (GLsizei i = 0; i < count; ++i, ++name) {
-                while (gl.buffers.contains(name))
+                while (gl.buffers.contains(name)) {
                     ++name;
+                }
                 gl.buffers[name] = nullptr; // Reserved; a buffer from its first binding on.
                 buffers[i] = name;
             }
@@ -58,15 +62,19 @@ void glDeleteBuffers(GLsizei n, const GLuint* buffers)
     dispatch_now(
         __func__,
         [buffers](Context& gl, GLsizei count) {
-            if (count < 0)
+            if (count < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             for (GLsizei i = 0; i < count; ++i) {
-                if (buffers[i] == 0)
+                if (buffers[i] == 0) {
                     continue;
+                }
                 for (GLuint* name :
-                     {&gl.client_arrays.bound_array_buffer, &gl.client_arrays.bound_element_buffer})
-                    if (*name == buffers[i])
+                     {&gl.client_arrays.bound_array_buffer, &gl.client_arrays.bound_element_buffer}) {
+                    if (*name == buffers[i]) {
                         *name = 0;
+                    }
+                }
                 gl.buffers.erase(buffers[i]);
             }
         },
@@ -88,10 +96,12 @@ void glBindBuffer(GLenum target, GLuint buffer)
         __func__,
         [](Context& gl, GLenum t, GLuint name) {
             GLuint* bound = binding(gl, t);
-            if (!bound)
+            if (!bound) {
                 return gl.set_error(GL_INVALID_ENUM);
-            if (name != 0 && !gl.buffers[name])
+            }
+            if (name != 0 && !gl.buffers[name]) {
                 gl.buffers[name] = std::make_shared<BufferObject>();
+            }
             *bound = name;
         },
         target, buffer);
@@ -103,13 +113,16 @@ void glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage
         __func__,
         [data](Context& gl, GLenum t, GLsizeiptr s, GLenum u) {
             BufferObject* buffer = bound_buffer(gl, t);
-            if (!buffer)
+            if (!buffer) {
                 return;
-            if (s < 0)
+            }
+            if (s < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             buffer->bytes.assign(static_cast<std::size_t>(s), 0);
-            if (data && s > 0)
+            if (data && s > 0) {
                 std::memcpy(buffer->bytes.data(), data, static_cast<std::size_t>(s));
+            }
             buffer->usage = u;
             buffer->mapped = false;
         },
@@ -122,14 +135,18 @@ void glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void
         __func__,
         [data](Context& gl, GLenum t, GLintptr o, GLsizeiptr s) {
             BufferObject* buffer = bound_buffer(gl, t);
-            if (!buffer)
+            if (!buffer) {
                 return;
-            if (o < 0 || s < 0 || o + s > static_cast<GLsizeiptr>(buffer->bytes.size()))
+            }
+            if (o < 0 || s < 0 || o + s > static_cast<GLsizeiptr>(buffer->bytes.size())) {
                 return gl.set_error(GL_INVALID_VALUE);
-            if (buffer->mapped)
+            }
+            if (buffer->mapped) {
                 return gl.set_error(GL_INVALID_OPERATION);
-            if (s > 0)
+            }
+            if (s > 0) {
                 std::memcpy(buffer->bytes.data() + o, data, static_cast<std::size_t>(s));
+            }
         },
         target, offset, size);
 }
@@ -140,12 +157,15 @@ void glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* d
         __func__,
         [data](Context& gl, GLenum t, GLintptr o, GLsizeiptr s) {
             const BufferObject* buffer = bound_buffer(gl, t);
-            if (!buffer)
+            if (!buffer) {
                 return;
-            if (o < 0 || s < 0 || o + s > static_cast<GLsizeiptr>(buffer->bytes.size()))
+            }
+            if (o < 0 || s < 0 || o + s > static_cast<GLsizeiptr>(buffer->bytes.size())) {
                 return gl.set_error(GL_INVALID_VALUE);
-            if (s > 0)
+            }
+            if (s > 0) {
                 std::memcpy(data, buffer->bytes.data() + o, static_cast<std::size_t>(s));
+            }
         },
         target, offset, size);
 }
@@ -157,10 +177,12 @@ void* glMapBuffer(GLenum target, GLenum access)
         __func__,
         [&mapped](Context& gl, GLenum t, GLenum a) {
             BufferObject* buffer = bound_buffer(gl, t);
-            if (!buffer)
+            if (!buffer) {
                 return;
-            if (buffer->mapped)
+            }
+            if (buffer->mapped) {
                 return gl.set_error(GL_INVALID_OPERATION);
+            }
             buffer->mapped = true;
             buffer->access = a;
             mapped = buffer->bytes.data();
@@ -176,10 +198,12 @@ GLboolean glUnmapBuffer(GLenum target)
         __func__,
         [&unmapped](Context& gl, GLenum t) {
             BufferObject* buffer = bound_buffer(gl, t);
-            if (!buffer)
+            if (!buffer) {
                 return;
-            if (!buffer->mapped)
+            }
+            if (!buffer->mapped) {
                 return gl.set_error(GL_INVALID_OPERATION);
+            }
             buffer->mapped = false;
             unmapped = true;
         },
@@ -193,8 +217,9 @@ void glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params)
         __func__,
         [params](Context& gl, GLenum t, GLenum name) {
             const BufferObject* buffer = bound_buffer(gl, t);
-            if (!buffer)
+            if (!buffer) {
                 return;
+            }
             switch (name) {
             case GL_BUFFER_SIZE:
                 *params = static_cast<GLint>(buffer->bytes.size());

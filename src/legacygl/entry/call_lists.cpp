@@ -59,8 +59,9 @@ GLuint read_name(GLenum type, const std::uint8_t* p)
         return read_as<GLfloat>(p);
     default: { // GL_2_BYTES … GL_4_BYTES: the most significant byte first.
         GLuint name = 0;
-        for (int i = 0; i < bytes_per_name(type); ++i)
+        for (int i = 0; i < bytes_per_name(type); ++i) {
             name = name * 256 + p[i];
+        }
         return name;
     }
     }
@@ -68,14 +69,17 @@ GLuint read_name(GLenum type, const std::uint8_t* p)
 
 void call_lists(Context& gl, GLsizei count, GLenum type, const Blob& names)
 {
-    if (count < 0)
+    if (count < 0) {
         return gl.set_error(GL_INVALID_VALUE);
+    }
     const int size = bytes_per_name(type);
-    if (size == 0)
+    if (size == 0) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     const auto* bytes = static_cast<const std::uint8_t*>(names.data);
-    for (GLsizei i = 0; i < count; ++i)
+    for (GLsizei i = 0; i < count; ++i) {
         gl.call_list(gl.state.list_base + read_name(type, bytes + static_cast<std::size_t>(i) * size));
+    }
 }
 
 } // namespace

@@ -10,13 +10,16 @@ namespace {
 void set_capability(Context& gl, GLenum capability, bool enabled)
 {
     const Capability found = find_capability(gl.state, capability);
-    if (!found.flag)
+    if (!found.flag) {
         return gl.set_error(GL_INVALID_ENUM);
-    if (capability == GL_COLOR_MATERIAL)
+    }
+    if (capability == GL_COLOR_MATERIAL) {
         gl.store_followed_color(); // Before it ends: the material keeps the last colour.
+    }
     *found.flag = enabled;
-    if (capability == GL_COLOR_MATERIAL)
+    if (capability == GL_COLOR_MATERIAL) {
         gl.store_followed_color(); // From its begin on.
+    }
     gl.renderer.changed(found.change);
 }
 
@@ -62,8 +65,9 @@ void glHint(GLenum target, GLenum mode)
         __func__,
         [](Context& gl, GLenum t, GLenum m) {
             GLenum* hint = find_hint(gl.state.hints, t);
-            if (!hint || m < GL_DONT_CARE || m > GL_NICEST)
+            if (!hint || m < GL_DONT_CARE || m > GL_NICEST) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             *hint = m;
         },
         target, mode);
@@ -77,8 +81,9 @@ GLboolean glIsEnabled(GLenum cap)
         [&enabled](Context& gl, GLenum c) {
             const ClientArray* array = gl.client_arrays.find(c, gl.state.texturing.client_active);
             const bool* flag = array ? &array->enabled : find_capability(gl.state, c).flag;
-            if (!flag)
+            if (!flag) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             enabled = *flag;
         },
         cap);

@@ -19,13 +19,15 @@ void set_fog(Context& gl, GLenum name, const Values& v)
     gl.renderer.changed(change::fragments);
     switch (name) {
     case GL_FOG_MODE:
-        if (value != GL_LINEAR && value != GL_EXP && value != GL_EXP2)
+        if (value != GL_LINEAR && value != GL_EXP && value != GL_EXP2) {
             return gl.set_error(GL_INVALID_ENUM);
+        }
         fog.mode = value;
         break;
     case GL_FOG_DENSITY:
-        if (!(v[0] >= 0))
+        if (!(v[0] >= 0)) {
             return gl.set_error(GL_INVALID_VALUE);
+        }
         fog.density = v[0];
         break;
     case GL_FOG_START:
@@ -38,12 +40,14 @@ void set_fog(Context& gl, GLenum name, const Values& v)
         fog.index = v[0];
         break;
     case GL_FOG_COLOR:
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 4; ++i) {
             fog.color[i] = std::clamp(v[i], 0.0f, 1.0f);
+        }
         break;
     case GL_FOG_COORDINATE_SOURCE:
-        if (value != GL_FOG_COORDINATE && value != GL_FRAGMENT_DEPTH)
+        if (value != GL_FOG_COORDINATE && value != GL_FRAGMENT_DEPTH) {
             return gl.set_error(GL_INVALID_ENUM);
+        }
         fog.coordinate_source = value;
         break;
     default:
@@ -54,10 +58,11 @@ void set_fog(Context& gl, GLenum name, const Values& v)
 template <class T> void fog(const char* entry, GLenum name, const T* params)
 {
     Values values{};
-    if (name == GL_FOG_COLOR)
+    if (name == GL_FOG_COLOR) {
         std::transform(params, params + 4, values.begin(), [](T v) { return component(v); });
-    else
+    } else {
         values[0] = static_cast<float>(params[0]);
+    }
     dispatch(entry, set_fog, name, values);
 }
 

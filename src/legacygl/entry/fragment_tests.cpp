@@ -60,8 +60,9 @@ void set_blend_factors(Context& gl, GLenum source_rgb, GLenum destination_rgb, G
                        GLenum destination_alpha)
 {
     if (!is_blend_factor(source_rgb, true) || !is_blend_factor(destination_rgb, false) ||
-        !is_blend_factor(source_alpha, true) || !is_blend_factor(destination_alpha, false))
+        !is_blend_factor(source_alpha, true) || !is_blend_factor(destination_alpha, false)) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     BlendState& blend = gl.state.fragment.blend;
     blend.source_rgb = source_rgb;
     blend.destination_rgb = destination_rgb;
@@ -78,8 +79,9 @@ bool is_blend_equation(GLenum mode)
 
 void set_blend_equations(Context& gl, GLenum rgb, GLenum alpha)
 {
-    if (!is_blend_equation(rgb) || !is_blend_equation(alpha))
+    if (!is_blend_equation(rgb) || !is_blend_equation(alpha)) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     gl.state.fragment.blend.equation = rgb;
     gl.state.fragment.blend.equation_alpha = alpha;
     gl.renderer.changed(change::pipeline | change::fragments);
@@ -128,8 +130,9 @@ void glDepthFunc(GLenum func)
     dispatch(
         __func__,
         [](Context& gl, GLenum f) {
-            if (f < GL_NEVER || f > GL_ALWAYS)
+            if (f < GL_NEVER || f > GL_ALWAYS) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.fragment.depth_func = f;
             gl.renderer.changed(change::pipeline);
         },
@@ -141,8 +144,9 @@ void glAlphaFunc(GLenum func, GLclampf ref)
     dispatch(
         __func__,
         [](Context& gl, GLenum f, float r) {
-            if (!is_comparison(f))
+            if (!is_comparison(f)) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.fragment.alpha_func = f;
             gl.state.fragment.alpha_reference = std::clamp(r, 0.0f, 1.0f);
             gl.renderer.changed(change::fragments);
@@ -155,8 +159,9 @@ void glScissor(GLint x, GLint y, GLsizei width, GLsizei height)
     dispatch(
         __func__,
         [](Context& gl, GLint left, GLint bottom, GLsizei w, GLsizei h) {
-            if (w < 0 || h < 0)
+            if (w < 0 || h < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             gl.state.fragment.scissor_box = {left, bottom, w, h};
             gl.renderer.changed(change::pipeline);
         },
@@ -168,8 +173,9 @@ void glStencilFunc(GLenum func, GLint ref, GLuint mask)
     dispatch(
         __func__,
         [](Context& gl, GLenum f, GLint r, GLuint m) {
-            if (!is_comparison(f))
+            if (!is_comparison(f)) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             StencilState& stencil = gl.state.fragment.stencil;
             stencil.func = f;
             stencil.reference = std::clamp(r, 0, 255); // Of eight bits.
@@ -184,8 +190,9 @@ void glStencilOp(GLenum fail, GLenum zfail, GLenum zpass)
     dispatch(
         __func__,
         [](Context& gl, GLenum f, GLenum zf, GLenum zp) {
-            if (!is_stencil_operation(f) || !is_stencil_operation(zf) || !is_stencil_operation(zp))
+            if (!is_stencil_operation(f) || !is_stencil_operation(zf) || !is_stencil_operation(zp)) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             StencilState& stencil = gl.state.fragment.stencil;
             stencil.fail = f;
             stencil.depth_fail = zf;

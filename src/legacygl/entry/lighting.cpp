@@ -48,16 +48,18 @@ bool is_color(GLenum name)
 Values read(GLenum name, const GLfloat* params)
 {
     Values values{};
-    for (int i = 0; i < value_count(name); ++i)
+    for (int i = 0; i < value_count(name); ++i) {
         values[i] = params[i];
+    }
     return values;
 }
 
 Values read(GLenum name, const GLint* params)
 {
     Values values{};
-    for (int i = 0; i < value_count(name); ++i)
+    for (int i = 0; i < value_count(name); ++i) {
         values[i] = is_color(name) ? component(params[i]) : static_cast<float>(params[i]);
+    }
     return values;
 }
 
@@ -68,8 +70,9 @@ glm::vec4 color(const Values& v)
 
 void set_light(Context& gl, GLenum which, GLenum name, const Values& v)
 {
-    if (which < GL_LIGHT0 || which >= GL_LIGHT0 + LIGHT_COUNT)
+    if (which < GL_LIGHT0 || which >= GL_LIGHT0 + LIGHT_COUNT) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     Light& light = gl.state.lighting.lights[which - GL_LIGHT0];
     const Matrix& modelview = gl.state.transform.modelview.top();
     gl.renderer.changed(change::lighting);
@@ -88,25 +91,29 @@ void set_light(Context& gl, GLenum which, GLenum name, const Values& v)
         break;
     case GL_SPOT_DIRECTION: {
         const float* m = modelview.values();
-        for (int row = 0; row < 3; ++row)
+        for (int row = 0; row < 3; ++row) {
             light.spot_direction[row] = v[0] * m[row] + v[1] * m[row + 4] + v[2] * m[row + 8];
+        }
         break;
     }
     case GL_SPOT_EXPONENT:
-        if (!(v[0] >= 0 && v[0] <= 128))
+        if (!(v[0] >= 0 && v[0] <= 128)) {
             return gl.set_error(GL_INVALID_VALUE);
+        }
         light.spot_exponent = v[0];
         break;
     case GL_SPOT_CUTOFF:
-        if (!((v[0] >= 0 && v[0] <= 90) || v[0] == 180))
+        if (!((v[0] >= 0 && v[0] <= 90) || v[0] == 180)) {
             return gl.set_error(GL_INVALID_VALUE);
+        }
         light.spot_cutoff_degrees = v[0];
         break;
     case GL_CONSTANT_ATTENUATION:
     case GL_LINEAR_ATTENUATION:
     case GL_QUADRATIC_ATTENUATION:
-        if (!(v[0] >= 0))
+        if (!(v[0] >= 0)) {
             return gl.set_error(GL_INVALID_VALUE);
+        }
         light.attenuation[name - GL_CONSTANT_ATTENUATION] = v[0];
         break;
     default:
@@ -129,12 +136,13 @@ void set_model(Context& gl, GLenum name, const Values& v)
         lighting.two_side = v[0] != 0;
         break;
     case GL_LIGHT_MODEL_COLOR_CONTROL:
-        if (v[0] == GL_SINGLE_COLOR)
+        if (v[0] == GL_SINGLE_COLOR) {
             lighting.separate_specular = false;
-        else if (v[0] == GL_SEPARATE_SPECULAR_COLOR)
+        } else if (v[0] == GL_SEPARATE_SPECULAR_COLOR) {
             lighting.separate_specular = true;
-        else
+        } else {
             gl.set_error(GL_INVALID_ENUM);
+        }
         break;
     default:
         gl.set_error(GL_INVALID_ENUM);
@@ -143,17 +151,21 @@ void set_model(Context& gl, GLenum name, const Values& v)
 
 void set_material(Context& gl, GLenum face, GLenum name, const Values& v)
 {
-    if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK)
+    if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) {
         return gl.set_error(GL_INVALID_ENUM);
-    if (name == GL_SHININESS && !(v[0] >= 0 && v[0] <= 128))
+    }
+    if (name == GL_SHININESS && !(v[0] >= 0 && v[0] <= 128)) {
         return gl.set_error(GL_INVALID_VALUE);
-    if (gl.immediate.inside())
+    }
+    if (gl.immediate.inside()) {
         gl.immediate.change_material({0, face, name, v}, gl.state.lighting.materials);
-    else
+    } else {
         gl.flush_vertices();
+    }
     gl.renderer.changed(change::lighting);
-    if (!gl.state.lighting.set_material(face, name, v))
+    if (!gl.state.lighting.set_material(face, name, v)) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     gl.store_followed_color(); // What follows the colour is not changed by glMaterial.
 }
 
@@ -175,10 +187,11 @@ template <class T> void model(const char* entry, GLenum name, const T* params)
 /// The forms with one value are only for parameters that have one.
 template <class T, class Set> void scalar(const char* entry, GLenum name, T value, Set set)
 {
-    if (value_count(name) == 1)
+    if (value_count(name) == 1) {
         set(&value);
-    else
+    } else {
         dispatch(entry, [](Context& gl, GLenum) { gl.set_error(GL_INVALID_ENUM); }, name);
+    }
 }
 
 } // namespace
@@ -259,8 +272,9 @@ void glColorMaterial(GLenum face, GLenum mode)
             const bool face_is_good = f == GL_FRONT || f == GL_BACK || f == GL_FRONT_AND_BACK;
             const bool mode_is_good = m == GL_AMBIENT || m == GL_DIFFUSE || m == GL_SPECULAR ||
                                       m == GL_EMISSION || m == GL_AMBIENT_AND_DIFFUSE;
-            if (!face_is_good || !mode_is_good)
+            if (!face_is_good || !mode_is_good) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.store_followed_color();
             gl.state.lighting.color_material_face = f;
             gl.state.lighting.color_material_mode = m;
@@ -275,8 +289,9 @@ void glShadeModel(GLenum mode)
     dispatch(
         __func__,
         [](Context& gl, GLenum m) {
-            if (m != GL_FLAT && m != GL_SMOOTH)
+            if (m != GL_FLAT && m != GL_SMOOTH) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.lighting.shade_model = m;
             gl.renderer.changed(change::lighting);
         },

@@ -13,8 +13,9 @@ GLuint glGenLists(GLsizei range)
     dispatch_now(
         __func__,
         [&first](Context& gl, GLsizei count) {
-            if (count < 0)
+            if (count < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             first = gl.lists.generate(count);
         },
         range);
@@ -26,12 +27,15 @@ void glNewList(GLuint list, GLenum mode)
     dispatch_now(
         __func__,
         [](Context& gl, GLuint name, GLenum m) {
-            if (name == 0)
+            if (name == 0) {
                 return gl.set_error(GL_INVALID_VALUE);
-            if (m != GL_COMPILE && m != GL_COMPILE_AND_EXECUTE)
+            }
+            if (m != GL_COMPILE && m != GL_COMPILE_AND_EXECUTE) {
                 return gl.set_error(GL_INVALID_ENUM);
-            if (gl.compiler)
+            }
+            if (gl.compiler) {
                 return gl.set_error(GL_INVALID_OPERATION);
+            }
             gl.compiler.emplace(name, m == GL_COMPILE_AND_EXECUTE, replay);
         },
         list, mode);
@@ -40,8 +44,9 @@ void glNewList(GLuint list, GLenum mode)
 void glEndList()
 {
     dispatch_now(__func__, [](Context& gl) {
-        if (!gl.compiler)
+        if (!gl.compiler) {
             return gl.set_error(GL_INVALID_OPERATION);
+        }
         const GLuint name = gl.compiler->name();
         gl.lists.put(name, gl.compiler->finish());
         gl.compiler.reset();
@@ -58,8 +63,9 @@ void glDeleteLists(GLuint list, GLsizei range)
     dispatch_now(
         __func__,
         [](Context& gl, GLuint first, GLsizei count) {
-            if (count < 0)
+            if (count < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             gl.lists.erase(first, count);
         },
         list, range);

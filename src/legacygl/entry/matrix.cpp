@@ -26,8 +26,9 @@ void matrix_changed(Context& gl)
 template <class T> Values transposed(const T* m)
 {
     Values out;
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 16; ++i) {
         out[i] = static_cast<float>(m[i % 4 * 4 + i / 4]);
+    }
     return out;
 }
 
@@ -73,8 +74,9 @@ void glMatrixMode(GLenum mode)
     dispatch(
         __func__,
         [](Context& gl, GLenum m) {
-            if (m != GL_MODELVIEW && m != GL_PROJECTION && m != GL_TEXTURE)
+            if (m != GL_MODELVIEW && m != GL_PROJECTION && m != GL_TEXTURE) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.transform.matrix_mode = m;
         },
         mode);
@@ -161,8 +163,9 @@ void glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top_, GL
     dispatch(
         __func__,
         [](Context& gl, double l, double r, double b, double t, double n, double f) {
-            if (n <= 0 || f <= 0 || n == f || l == r || b == t)
+            if (n <= 0 || f <= 0 || n == f || l == r || b == t) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             top(gl).frustum(static_cast<float>(l), static_cast<float>(r), static_cast<float>(b),
                             static_cast<float>(t), static_cast<float>(n), static_cast<float>(f));
         },
@@ -174,8 +177,9 @@ void glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top_, GLdo
     dispatch(
         __func__,
         [](Context& gl, double l, double r, double b, double t, double n, double f) {
-            if (n == f || l == r || b == t)
+            if (n == f || l == r || b == t) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             top(gl).ortho(static_cast<float>(l), static_cast<float>(r), static_cast<float>(b),
                           static_cast<float>(t), static_cast<float>(n), static_cast<float>(f));
         },
@@ -185,16 +189,18 @@ void glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top_, GLdo
 void glPushMatrix()
 {
     dispatch(__func__, [](Context& gl) {
-        if (!gl.current_matrix_stack().push())
+        if (!gl.current_matrix_stack().push()) {
             gl.set_error(GL_STACK_OVERFLOW);
+        }
     });
 }
 
 void glPopMatrix()
 {
     dispatch(__func__, [](Context& gl) {
-        if (!gl.current_matrix_stack().pop())
+        if (!gl.current_matrix_stack().pop()) {
             return gl.set_error(GL_STACK_UNDERFLOW);
+        }
         matrix_changed(gl);
     });
 }
@@ -204,8 +210,9 @@ void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
     dispatch(
         __func__,
         [](Context& gl, GLint vx, GLint vy, GLsizei w, GLsizei h) {
-            if (w < 0 || h < 0)
+            if (w < 0 || h < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             const int greatest = gl.backend->maximum_viewport_size;
             gl.state.transform.viewport = {vx, vy, std::min(w, greatest), std::min(h, greatest)};
             gl.renderer.changed(change::pipeline | change::matrices); // Points are rounded within it.

@@ -15,8 +15,9 @@ void set_store(Context& gl, GLenum name, GLint value)
     const bool packs = name >= GL_PACK_SWAP_BYTES && name <= GL_PACK_ALIGNMENT;
     PixelStore& store = packs ? gl.state.pack : gl.state.unpack;
     const auto set = [&](GLint& member) {
-        if (value < 0)
+        if (value < 0) {
             return gl.set_error(GL_INVALID_VALUE);
+        }
         member = value;
     };
     switch (name) {
@@ -39,8 +40,9 @@ void set_store(Context& gl, GLenum name, GLint value)
         return set(store.skip_pixels);
     case GL_PACK_ALIGNMENT:
     case GL_UNPACK_ALIGNMENT:
-        if (value != 1 && value != 2 && value != 4 && value != 8)
+        if (value != 1 && value != 2 && value != 4 && value != 8) {
             return gl.set_error(GL_INVALID_VALUE);
+        }
         store.alignment = value;
         return;
     default:
@@ -55,14 +57,16 @@ bool read_depths_or_stencils(Context& gl, const PixelRectangle& r, const PixelSt
     const auto count = static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height);
     if (format == GL_DEPTH_COMPONENT) {
         std::vector<std::uint32_t> depths(count);
-        if (!gl.backend->read_depths(r.x, r.y, r.width, r.height, depths))
+        if (!gl.backend->read_depths(r.x, r.y, r.width, r.height, depths)) {
             return false;
+        }
         pack_depths(store, r.width, r.height, type, depths, out);
         return true;
     }
     std::vector<std::uint8_t> values(count);
-    if (!gl.backend->read_stencils(r.x, r.y, r.width, r.height, values))
+    if (!gl.backend->read_stencils(r.x, r.y, r.width, r.height, values)) {
         return false;
+    }
     pack_stencils(store, r.width, r.height, type, values, out);
     return true;
 }
@@ -86,26 +90,30 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format
     dispatch_now(
         __func__,
         [pixels](Context& gl, GLint left, GLint bottom, GLsizei w, GLsizei h, GLenum f, GLenum t) {
-            if (w < 0 || h < 0)
+            if (w < 0 || h < 0) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             const bool colors = f != GL_DEPTH_COMPONENT && f != GL_STENCIL_INDEX;
             // Depths and stencil values are one number a pixel, as a luminance is; the latter also one bit.
             const bool bits = f == GL_STENCIL_INDEX && t == GL_BITMAP;
             if (const GLenum error = format_type_error(colors ? f : GLenum{GL_LUMINANCE}, t);
-                error != GL_NO_ERROR && !bits)
+                error != GL_NO_ERROR && !bits) {
                 return gl.set_error(error);
+            }
             const PixelRectangle r = clip_to_frame(gl, left, bottom, w, h);
-            if (r.empty())
+            if (r.empty()) {
                 return;
+            }
             PixelStore store = gl.state.pack;
             store.row_length = store.row_length > 0 ? store.row_length : w;
             store.skip_pixels += r.skipped_left;
             store.skip_rows += r.skipped_below;
             auto* out = static_cast<std::uint8_t*>(pixels);
-            if (colors)
+            if (colors) {
                 pack_pixels(store, r.width, r.height, f, t, read_frame(gl, r), ToLuminance::sum, out);
-            else if (!read_depths_or_stencils(gl, r, store, f, t, out))
+            } else if (!read_depths_or_stencils(gl, r, store, f, t, out)) {
                 gl.refuse_unsupported();
+            }
         },
         x, y, width, height, format, type);
 }

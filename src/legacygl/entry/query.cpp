@@ -29,8 +29,9 @@ template <class T> void get(const char* entry, GLenum name, T* params)
         entry,
         [params](Context& gl, GLenum n) {
             const QueryValue value = query(gl, n);
-            if (value.count == 0)
+            if (value.count == 0) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             write_values(value, params);
         },
         name);

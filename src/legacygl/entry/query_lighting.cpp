@@ -14,8 +14,9 @@ QueryValue values(Kind kind, const float* v, int count)
     QueryValue out;
     out.kind = kind;
     out.count = count;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         out.values[i] = static_cast<double>(v[i]);
+    }
     return out;
 }
 
@@ -64,8 +65,8 @@ QueryValue material_value(const Material& material, GLenum name)
     case GL_SHININESS:
         return values(Kind::real, &material.shininess, 1);
     case GL_COLOR_INDEXES: { // Never changed: a target has colours.
-        constexpr float initial[] = {0, 1, 1};
-        return values(Kind::real, initial, 3);
+        constexpr float INITIAL[] = {0, 1, 1};
+        return values(Kind::real, INITIAL, 3);
     }
     default:
         return {};
@@ -80,8 +81,9 @@ template <class T> void get_light(const char* entry, GLenum light, GLenum name, 
             const bool is_light = l >= GL_LIGHT0 && l < GL_LIGHT0 + LIGHT_COUNT;
             const QueryValue value =
                 is_light ? light_value(gl.state.lighting.lights[l - GL_LIGHT0], n) : QueryValue{};
-            if (value.count == 0)
+            if (value.count == 0) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             write_values(value, params);
         },
         light, name);
@@ -96,8 +98,9 @@ template <class T> void get_material(const char* entry, GLenum face, GLenum name
             const bool is_face = f == GL_FRONT || f == GL_BACK;
             const QueryValue value =
                 is_face ? material_value(gl.state.lighting.materials[f == GL_BACK], n) : QueryValue{};
-            if (value.count == 0)
+            if (value.count == 0) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             write_values(value, params);
         },
         face, name);

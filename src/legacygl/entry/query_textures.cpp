@@ -53,8 +53,9 @@ QueryValue parameter_value(TextureParameters& p, GLenum name)
 /// Returns how many bits the level has of what is asked, luminance and intensity apart from red.
 int component_bits(const TextureImage& image, GLenum name)
 {
-    if (image.width == 0)
+    if (image.width == 0) {
         return 0;
+    }
     const std::array<int, 4> bits = texel_bits(image.internal_format);
     const BaseFormat base = base_format(image.internal_format);
     const bool luminance = base == BaseFormat::luminance || base == BaseFormat::luminance_alpha;
@@ -111,8 +112,9 @@ template <class T> void get_parameter(const char* entry, GLenum target, GLenum n
         [params](Context& gl, GLenum t, GLenum n) {
             const QueryValue value =
                 is_texture_target(t) ? parameter_value(bound_texture(gl, t).parameters, n) : QueryValue{};
-            if (value.count == 0)
+            if (value.count == 0) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             write_values(value, params);
         },
         target, name);
@@ -125,17 +127,21 @@ void get_level_parameter(const char* entry, GLenum target, GLint level, GLenum n
         entry,
         [params](Context& gl, GLenum t, GLint l, GLenum n) {
             std::optional<ImageTarget> found = find_image_target(t, 1);
-            if (!found)
+            if (!found) {
                 found = find_image_target(t, 2);
-            if (!found)
+            }
+            if (!found) {
                 return gl.set_error(GL_INVALID_ENUM);
-            if (!is_level(gl, l))
+            }
+            if (!is_level(gl, l)) {
                 return gl.set_error(GL_INVALID_VALUE);
+            }
             const std::vector<TextureImage>& levels = levels_of(gl, *found);
             const bool there = static_cast<std::size_t>(l) < levels.size();
             const QueryValue value = level_value(there ? levels[l] : TextureImage{}, n);
-            if (value.count == 0)
+            if (value.count == 0) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             write_values(value, params);
         },
         target, level, name);
@@ -170,15 +176,19 @@ void glGetTexImage(GLenum target, GLint level, GLenum format, GLenum type, GLvoi
     dispatch_now(
         __func__,
         [pixels](Context& gl, GLenum t, GLint l, GLenum f, GLenum ty) {
-            if (!is_texture_target(t))
+            if (!is_texture_target(t)) {
                 return gl.set_error(GL_INVALID_ENUM);
-            if (!is_level(gl, l))
+            }
+            if (!is_level(gl, l)) {
                 return gl.set_error(GL_INVALID_VALUE);
-            if (const GLenum error = format_type_error(f, ty); error != GL_NO_ERROR)
+            }
+            if (const GLenum error = format_type_error(f, ty); error != GL_NO_ERROR) {
                 return gl.set_error(error);
+            }
             const Texture& texture = bound_texture(gl, t);
-            if (static_cast<std::size_t>(l) >= texture.levels.size())
+            if (static_cast<std::size_t>(l) >= texture.levels.size()) {
                 return;
+            }
             const TextureImage& image = texture.levels[l];
             pack_pixels(gl.state.pack, image.width, image.height, f, ty, level_texels(texture, l),
                         ToLuminance::red, static_cast<std::uint8_t*>(pixels));

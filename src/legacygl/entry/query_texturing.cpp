@@ -44,12 +44,15 @@ QueryValue combine_value(const TextureUnit& unit, GLenum name)
 
 QueryValue environment_value(const TextureUnit& unit, GLenum target, GLenum name)
 {
-    if (target == GL_TEXTURE_FILTER_CONTROL && name == GL_TEXTURE_LOD_BIAS)
+    if (target == GL_TEXTURE_FILTER_CONTROL && name == GL_TEXTURE_LOD_BIAS) {
         return {QueryValue::Kind::real, static_cast<double>(unit.lod_bias)};
-    if (target != GL_TEXTURE_ENV)
+    }
+    if (target != GL_TEXTURE_ENV) {
         return {};
-    if (name == GL_TEXTURE_ENV_MODE)
+    }
+    if (name == GL_TEXTURE_ENV_MODE) {
         return QueryValue::integer(unit.environment_mode);
+    }
     if (name == GL_TEXTURE_ENV_COLOR) {
         glm::vec4 color = unit.environment_color;
         return QueryValue(StateField::fraction(color));
@@ -59,8 +62,9 @@ QueryValue environment_value(const TextureUnit& unit, GLenum target, GLenum name
 
 QueryValue generation_value(const TextureGeneration& generation, GLenum name)
 {
-    if (name == GL_TEXTURE_GEN_MODE)
+    if (name == GL_TEXTURE_GEN_MODE) {
         return QueryValue::integer(generation.mode);
+    }
     glm::vec4 plane = name == GL_OBJECT_PLANE ? generation.object_plane : generation.eye_plane;
     return name == GL_OBJECT_PLANE || name == GL_EYE_PLANE ? QueryValue(StateField(plane)) : QueryValue{};
 }
@@ -71,8 +75,9 @@ template <class T> void get_environment(const char* entry, GLenum target, GLenum
         entry,
         [params](Context& gl, GLenum t, GLenum n) {
             const QueryValue value = environment_value(gl.state.texturing.unit(), t, n);
-            if (value.count == 0)
+            if (value.count == 0) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             write_values(value, params);
         },
         target, name);
@@ -87,8 +92,9 @@ template <class T> void get_generation(const char* entry, GLenum coordinate, GLe
             const QueryValue value = is_coordinate
                                          ? generation_value(gl.state.texturing.unit().generation[c - GL_S], n)
                                          : QueryValue{};
-            if (value.count == 0)
+            if (value.count == 0) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             write_values(value, params);
         },
         coordinate, name);

@@ -1,7 +1,7 @@
 // The render mode, of which there is one so far, and names, which it ignores (OpenGL 1.5, 5.2 and 5.3).
 
 #include "legacygl/context/dispatch.h"
-#include "legacygl/context/undone.h"
+#include "legacygl/context/unimplemented.h"
 
 using namespace legacygl;
 
@@ -23,12 +23,13 @@ GLint glRenderMode(GLenum mode)
     dispatch_now(
         __func__,
         [](Context& gl, GLenum m) {
-            if (m == GL_SELECT)
+            if (m == GL_SELECT) {
                 LEGACYGL_REFUSE("glRenderMode(GL_SELECT)");
-            else if (m == GL_FEEDBACK)
+            } else if (m == GL_FEEDBACK) {
                 LEGACYGL_REFUSE("glRenderMode(GL_FEEDBACK)");
-            else if (m != GL_RENDER)
+            } else if (m != GL_RENDER) {
                 gl.set_error(GL_INVALID_ENUM);
+            }
         },
         mode);
     return 0;

@@ -11,7 +11,7 @@ using namespace legacygl;
 
 namespace {
 
-/// What of the frame buffer is copied.
+/// The part of the frame buffer that is copied.
 struct Source
 {
     GLint x, y;
@@ -27,27 +27,31 @@ bool is_copied_format(GLenum internal_format)
 void copy_part(Context& gl, Texture& texture, GLint level, int x, int y, const Source& source)
 {
     const PixelRectangle r = clip_to_frame(gl, source.x, source.y, source.width, source.height);
-    if (!r.empty())
+    if (!r.empty()) {
         set_part(texture, level, {x + r.skipped_left, y + r.skipped_below, r.width, r.height},
                  read_frame(gl, r));
+    }
     gl.renderer.changed(change::texturing);
 }
 
 void copy_image(Context& gl, GLenum target, GLint level, GLenum internal_format, Source source, GLint border)
 {
     const int most = is_level(gl, level) ? gl.backend->maximum_texture_size >> level : 0;
-    if (most == 0 || border < 0 || border > 1)
+    if (most == 0 || border < 0 || border > 1) {
         return gl.set_error(GL_INVALID_VALUE);
-    if (!is_copied_format(internal_format))
+    }
+    if (!is_copied_format(internal_format)) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     source.x += border;
     source.width -= 2 * border;
     if (target == GL_TEXTURE_2D) {
         source.y += border;
         source.height -= 2 * border;
     }
-    if (source.width < 0 || source.height < 0 || source.width > most || source.height > most)
+    if (source.width < 0 || source.height < 0 || source.width > most || source.height > most) {
         return gl.set_error(GL_INVALID_VALUE);
+    }
     Texture& texture = bound_texture(gl, target);
     set_level(texture, level, static_cast<GLint>(internal_format), source.width, source.height, {});
     copy_part(gl, texture, level, 0, 0, source);
@@ -55,14 +59,17 @@ void copy_image(Context& gl, GLenum target, GLint level, GLenum internal_format,
 
 void copy_sub_image(Context& gl, GLenum target, GLint level, GLint x, GLint y, const Source& source)
 {
-    if (!is_level(gl, level) || source.width < 0 || source.height < 0)
+    if (!is_level(gl, level) || source.width < 0 || source.height < 0) {
         return gl.set_error(GL_INVALID_VALUE);
+    }
     Texture& texture = bound_texture(gl, target);
-    if (static_cast<std::size_t>(level) >= texture.levels.size() || texture.levels[level].width == 0)
+    if (static_cast<std::size_t>(level) >= texture.levels.size() || texture.levels[level].width == 0) {
         return gl.set_error(GL_INVALID_OPERATION);
+    }
     const TextureImage& image = texture.levels[level];
-    if (x < 0 || y < 0 || x + source.width > image.width || y + source.height > image.height)
+    if (x < 0 || y < 0 || x + source.width > image.width || y + source.height > image.height) {
         return gl.set_error(GL_INVALID_VALUE);
+    }
     copy_part(gl, texture, level, x, y, source);
 }
 

@@ -44,8 +44,9 @@ bool is_combine_source(GLenum source)
 
 bool is_combine_operand(GLenum operand, bool alpha)
 {
-    if (operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA)
+    if (operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA) {
         return true;
+    }
     return !alpha && (operand == GL_SRC_COLOR || operand == GL_ONE_MINUS_SRC_COLOR);
 }
 
@@ -54,14 +55,16 @@ GLenum set_combine(TextureUnit& unit, GLenum name, float v)
 {
     const auto value = static_cast<GLenum>(v);
     const auto set = [value](GLenum& member, bool good) -> GLenum {
-        if (!good)
+        if (!good) {
             return GL_INVALID_ENUM;
+        }
         member = value;
         return GL_NO_ERROR;
     };
     const auto set_scale = [v](GLfloat& member) -> GLenum {
-        if (v != 1 && v != 2 && v != 4)
+        if (v != 1 && v != 2 && v != 4) {
             return GL_INVALID_VALUE;
+        }
         member = v;
         return GL_NO_ERROR;
     };
@@ -103,14 +106,17 @@ void set_environment(Context& gl, GLenum target, GLenum name, const Values& v)
         unit.lod_bias = v[0];
         return;
     }
-    if (target != GL_TEXTURE_ENV)
+    if (target != GL_TEXTURE_ENV) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     if (name == GL_TEXTURE_ENV_COLOR) {
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 4; ++i) {
             unit.environment_color[i] = std::clamp(v[i], 0.0f, 1.0f);
+        }
     } else if (name == GL_TEXTURE_ENV_MODE) {
-        if (!is_environment_mode(static_cast<GLenum>(v[0])))
+        if (!is_environment_mode(static_cast<GLenum>(v[0]))) {
             return gl.set_error(GL_INVALID_ENUM);
+        }
         unit.environment_mode = static_cast<GLenum>(v[0]);
     } else if (const GLenum error = set_combine(unit, name, v[0]); error != GL_NO_ERROR) {
         gl.set_error(error);
@@ -119,16 +125,18 @@ void set_environment(Context& gl, GLenum target, GLenum name, const Values& v)
 
 void set_generation(Context& gl, GLenum coordinate, GLenum name, const Values& v)
 {
-    if (coordinate < GL_S || coordinate > GL_Q)
+    if (coordinate < GL_S || coordinate > GL_Q) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     TextureGeneration& generation = gl.state.texturing.unit().generation[coordinate - GL_S];
     gl.renderer.changed(change::texturing);
     switch (name) {
     case GL_TEXTURE_GEN_MODE: {
         const auto mode = static_cast<GLenum>(v[0]);
         const bool sphere = mode == GL_SPHERE_MAP && (coordinate == GL_S || coordinate == GL_T);
-        if (mode != GL_OBJECT_LINEAR && mode != GL_EYE_LINEAR && !sphere)
+        if (mode != GL_OBJECT_LINEAR && mode != GL_EYE_LINEAR && !sphere) {
             return gl.set_error(GL_INVALID_ENUM);
+        }
         generation.mode = mode;
         break;
     }
@@ -152,10 +160,11 @@ void set_generation(Context& gl, GLenum coordinate, GLenum name, const Values& v
 template <class T> void environment(const char* entry, GLenum target, GLenum name, const T* params)
 {
     Values values{};
-    if (name == GL_TEXTURE_ENV_COLOR)
+    if (name == GL_TEXTURE_ENV_COLOR) {
         std::transform(params, params + 4, values.begin(), [](T v) { return component(v); });
-    else
+    } else {
         values[0] = static_cast<float>(params[0]);
+    }
     dispatch(entry, set_environment, target, name, values);
 }
 
@@ -187,8 +196,9 @@ void glActiveTexture(GLenum texture)
     dispatch(
         __func__,
         [](Context& gl, GLenum t) {
-            if (t < GL_TEXTURE0 || t >= GL_TEXTURE0 + TEXTURE_UNIT_COUNT)
+            if (t < GL_TEXTURE0 || t >= GL_TEXTURE0 + TEXTURE_UNIT_COUNT) {
                 return gl.set_error(GL_INVALID_ENUM);
+            }
             gl.state.texturing.active = static_cast<int>(t - GL_TEXTURE0);
         },
         texture);

@@ -29,13 +29,15 @@ bool is_wrap_mode(GLenum mode)
 GLenum set(TextureParameters& p, GLenum name, const Values& v)
 {
     const auto choose = [&](GLenum& member, bool good) -> GLenum {
-        if (good)
+        if (good) {
             member = static_cast<GLenum>(v[0]);
+        }
         return good ? GL_NO_ERROR : GL_INVALID_ENUM;
     };
     const auto set_level = [&](GLint& member) -> GLenum {
-        if (!(v[0] >= 0))
+        if (!(v[0] >= 0)) {
             return GL_INVALID_VALUE;
+        }
         member = static_cast<GLint>(v[0]);
         return GL_NO_ERROR;
     };
@@ -80,11 +82,13 @@ GLenum set(TextureParameters& p, GLenum name, const Values& v)
 
 void set_parameter(Context& gl, GLenum target, GLenum name, const Values& v)
 {
-    if (!is_texture_target(target))
+    if (!is_texture_target(target)) {
         return gl.set_error(GL_INVALID_ENUM);
+    }
     Texture& texture = bound_texture(gl, target);
-    if (const GLenum error = set(texture.parameters, name, v); error != GL_NO_ERROR)
+    if (const GLenum error = set(texture.parameters, name, v); error != GL_NO_ERROR) {
         return gl.set_error(error);
+    }
     texture.sampling_changed = true;
     gl.renderer.changed(change::texturing);
 }
@@ -92,10 +96,11 @@ void set_parameter(Context& gl, GLenum target, GLenum name, const Values& v)
 template <class T> void parameter(const char* entry, GLenum target, GLenum name, const T* params)
 {
     Values values{};
-    if (name == GL_TEXTURE_BORDER_COLOR)
+    if (name == GL_TEXTURE_BORDER_COLOR) {
         std::transform(params, params + 4, values.begin(), [](T v) { return component(v); });
-    else
+    } else {
         values[0] = name == GL_TEXTURE_PRIORITY ? component(params[0]) : static_cast<float>(params[0]);
+    }
     dispatch(entry, set_parameter, target, name, values);
 }
 

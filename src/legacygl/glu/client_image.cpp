@@ -14,8 +14,9 @@ GLint get(GLenum name)
 void set(const PixelStoreModes& from, const PixelStoreModes& to)
 {
     const auto change = [](GLenum name, GLint before, GLint value) {
-        if (before != value)
+        if (before != value) {
             glPixelStorei(name, value);
+        }
     };
     change(GL_UNPACK_ALIGNMENT, from.alignment, to.alignment);
     change(GL_UNPACK_ROW_LENGTH, from.row_length, to.row_length);
@@ -44,11 +45,13 @@ template <class Visit> void visit_components(const PackedType& type, Visit visit
 {
     int shift = type.reversed ? 0 : 8 * type.bytes;
     for (int i = 0; i < type.components; ++i) {
-        if (!type.reversed)
+        if (!type.reversed) {
             shift -= type.bits[i];
+        }
         visit(i, shift, (1u << type.bits[i]) - 1);
-        if (type.reversed)
+        if (type.reversed) {
             shift += type.bits[i];
+        }
     }
 }
 
@@ -78,9 +81,11 @@ TightUnpacking::~TightUnpacking()
 
 const PackedType* find_packed_type(GLenum type)
 {
-    for (const PackedType& packed : PACKED_TYPES)
-        if (packed.type == type)
+    for (const PackedType& packed : PACKED_TYPES) {
+        if (packed.type == type) {
             return &packed;
+        }
+    }
     return nullptr;
 }
 
@@ -108,11 +113,14 @@ std::uint32_t pack_pixel(const PackedType& type, const float* components)
 GLenum check_format_and_type(GLenum format, GLenum type)
 {
     const bool has_alpha = format == GL_RGBA || format == GL_BGRA;
-    if (components_of(format) == 0 || bytes_of(type) == 0)
+    if (components_of(format) == 0 || bytes_of(type) == 0) {
         return GLU_INVALID_ENUM;
-    if (const PackedType* packed = find_packed_type(type))
-        if (packed->components == 3 ? format != GL_RGB : !has_alpha)
+    }
+    if (const PackedType* packed = find_packed_type(type)) {
+        if (packed->components == 3 ? format != GL_RGB : !has_alpha) {
             return GLU_INVALID_OPERATION;
+        }
+    }
     return 0;
 }
 

@@ -71,8 +71,9 @@ template <class T> T swapped(T value)
 {
     std::array<std::uint8_t, sizeof(T)> bytes, turned;
     std::memcpy(bytes.data(), &value, sizeof value);
-    for (std::size_t i = 0; i < sizeof(T); ++i)
+    for (std::size_t i = 0; i < sizeof(T); ++i) {
         turned[i] = bytes[sizeof(T) - 1 - i];
+    }
     std::memcpy(&value, turned.data(), sizeof value);
     return value;
 }
@@ -101,13 +102,16 @@ std::vector<T> read_values(const PixelStoreModes& modes, int width, int height, 
     const ImageLayout layout(modes, width, values_per_pixel, sizeof(T));
     const std::size_t count = static_cast<std::size_t>(width) * values_per_pixel;
     std::vector<T> values(count * height);
-    for (int y = 0; y < height; ++y)
+    for (int y = 0; y < height; ++y) {
         std::memcpy(&values[count * y],
                     static_cast<const std::uint8_t*>(data) + layout.start + layout.row * y,
                     count * sizeof(T));
-    if (modes.swap_bytes)
-        for (T& value : values)
+    }
+    if (modes.swap_bytes) {
+        for (T& value : values) {
             value = swapped(value);
+        }
+    }
     return values;
 }
 
@@ -116,14 +120,17 @@ template <class T>
 void write_values(const PixelStoreModes& modes, int width, int height, int values_per_pixel,
                   std::vector<T> values, void* data)
 {
-    if (modes.swap_bytes)
-        for (T& value : values)
+    if (modes.swap_bytes) {
+        for (T& value : values) {
             value = swapped(value);
+        }
+    }
     const ImageLayout layout(modes, width, values_per_pixel, sizeof(T));
     const std::size_t count = static_cast<std::size_t>(width) * values_per_pixel;
-    for (int y = 0; y < height; ++y)
+    for (int y = 0; y < height; ++y) {
         std::memcpy(static_cast<std::uint8_t*>(data) + layout.start + layout.row * y, &values[count * y],
                     count * sizeof(T));
+    }
 }
 
 } // namespace legacygl::glu

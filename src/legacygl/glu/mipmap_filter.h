@@ -38,17 +38,18 @@ template <class T> struct TypedImage
 /// Returns the mean of two values (of a texture one texel wide or high).
 template <class T> T mean(T a, T b)
 {
-    if constexpr (std::is_same_v<T, GLfloat>)
+    if constexpr (std::is_same_v<T, GLfloat>) {
         return (a + b) / 2;
-    else if constexpr (std::is_same_v<T, GLint>)
+    } else if constexpr (std::is_same_v<T, GLint>) {
         // libGLU reads them as unsigned here; what is negative is 0 in a texture anyway.
         return to_int(static_cast<double>(static_cast<float>(static_cast<GLuint>(a)) +
                                           static_cast<float>(static_cast<GLuint>(b))) /
                       2);
-    else if constexpr (std::is_same_v<T, GLuint>)
+    } else if constexpr (std::is_same_v<T, GLuint>) {
         return static_cast<T>((static_cast<double>(a) + static_cast<double>(b)) / 2);
-    else
+    } else {
         return static_cast<T>((a + b) / 2);
+    }
 }
 
 /// Returns the mean of four values, integers rounded to the nearest.
@@ -73,16 +74,19 @@ template <class T> TypedImage<T> halved(const TypedImage<T>& image)
 {
     TypedImage<T> out(std::max(1, image.width / 2), std::max(1, image.height / 2), image.components);
     const int dx = image.width > 1 ? 1 : 0, dy = image.height > 1 ? 1 : 0;
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x)
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
             for (int k = 0; k < image.components; ++k) {
                 const T* a = image.at(2 * x, 2 * y) + k;
-                if (dx && dy)
+                if (dx && dy) {
                     out.at(x, y)[k] = mean(*a, image.at(2 * x + 1, 2 * y)[k], image.at(2 * x, 2 * y + 1)[k],
                                            image.at(2 * x + 1, 2 * y + 1)[k]);
-                else
+                } else {
                     out.at(x, y)[k] = mean(*a, image.at(2 * x + dx, 2 * y + dy)[k]);
+                }
             }
+        }
+    }
     return out;
 }
 
@@ -127,8 +131,8 @@ template <class T> T from_scaled(float value)
 {
     if constexpr (std::is_same_v<T, GLuint>) {
         // 2^32 is not a value of the type, but the float next to its greatest.
-        constexpr auto greatest = std::numeric_limits<GLuint>::max();
-        return value >= static_cast<float>(greatest) ? greatest : static_cast<T>(value);
+        constexpr auto MAX_VALUE = std::numeric_limits<GLuint>::max();
+        return value >= static_cast<float>(MAX_VALUE) ? MAX_VALUE : static_cast<T>(value);
     } else if constexpr (std::is_same_v<T, GLfloat>) {
         return value;
     } else {
@@ -149,26 +153,30 @@ enum class LastRow : bool
 template <class T>
 TypedImage<T> scaled(const TypedImage<T>& image, int new_width, int new_height, LastRow last_row)
 {
-    if (image.width == 2 * new_width && image.height == 2 * new_height)
+    if (image.width == 2 * new_width && image.height == 2 * new_height) {
         return halved(image);
+    }
     TypedImage<T> out(new_width, new_height, image.components);
     StretchWalk rows(image.height, new_height);
     for (int y = 0; y < new_height; ++y, rows.next()) {
-        if (last_row == LastRow::cut)
+        if (last_row == LastRow::cut) {
             rows.high = std::min(rows.high, image.height - 1);
+        }
         StretchWalk columns(image.width, new_width);
         for (int x = 0; x < new_width; ++x, columns.next()) {
             std::array<float, 4> totals{};
             const auto add = [&](int column, int row, float weight) {
                 // One column or row beyond the image may be asked for, with no weight.
                 const T* from = image.at(std::min(column, image.width - 1), std::min(row, image.height - 1));
-                for (int k = 0; k < image.components; ++k)
+                for (int k = 0; k < image.components; ++k) {
                     totals[k] += static_cast<float>(from[k]) * weight;
+                }
             };
             const auto add_row = [&](int row, float weight) {
                 add(columns.low, row, weight * (1 - columns.low_fraction));
-                for (int column = columns.low + 1; column < columns.high; ++column)
+                for (int column = columns.low + 1; column < columns.high; ++column) {
                     add(column, row, weight);
+                }
                 add(columns.high, row, weight * columns.high_fraction);
             };
             const bool many_rows = rows.high > rows.low, many_columns = columns.high > columns.low;
@@ -180,17 +188,21 @@ TypedImage<T> scaled(const TypedImage<T>& image, int new_width, int new_height, 
                 for (int row = rows.low + 1; row < rows.high; ++row) {
                     const T* left = image.at(columns.low, row);
                     const T* right = image.at(std::min(columns.high, image.width - 1), row);
-                    for (int k = 0; k < image.components; ++k)
+                    for (int k = 0; k < image.components; ++k) {
                         totals[k] += static_cast<float>(left[k]) * (1 - columns.low_fraction) +
                                      static_cast<float>(right[k]) * columns.high_fraction;
+                    }
                 }
-                for (int row = rows.low + 1; row < rows.high; ++row)
-                    for (int column = columns.low + 1; column < columns.high; ++column)
+                for (int row = rows.low + 1; row < rows.high; ++row) {
+                    for (int column = columns.low + 1; column < columns.high; ++column) {
                         add(column, row, 1);
+                    }
+                }
             } else if (many_rows) {
                 add(columns.low, rows.low, (1 - rows.low_fraction) * column_part);
-                for (int row = rows.low + 1; row < rows.high; ++row)
+                for (int row = rows.low + 1; row < rows.high; ++row) {
                     add(columns.low, row, column_part);
+                }
                 add(columns.low, rows.high, column_part * rows.high_fraction);
             } else if (many_columns) {
                 add_row(rows.low, row_part);
@@ -198,8 +210,9 @@ TypedImage<T> scaled(const TypedImage<T>& image, int new_width, int new_height, 
                 add(columns.low, rows.low, row_part * column_part);
             }
             const float area = columns.step() * rows.step();
-            for (int k = 0; k < image.components; ++k)
+            for (int k = 0; k < image.components; ++k) {
                 out.at(x, y)[k] = from_scaled<T>(totals[k] / area);
+            }
         }
     }
     return out;

@@ -13,18 +13,22 @@ namespace {
 int nearest_power_of_two(int value)
 {
     int power = 1;
-    for (; value > 1; value /= 2, power *= 2)
-        if (value == 3)
+    for (; value > 1; value /= 2, power *= 2) {
+        if (value == 3) {
             return 4 * power;
+        }
+    }
     return power;
 }
 
 /// Returns the exponent of a power of two, and -1 of anything else.
 int exponent(int value)
 {
-    for (int i = 0; i < 31; ++i)
-        if (value == 1 << i)
+    for (int i = 0; i < 31; ++i) {
+        if (value == 1 << i) {
             return i;
+        }
+    }
     return -1;
 }
 
@@ -39,8 +43,9 @@ Size texture_size(int width, int height)
     GLint greatest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &greatest);
     Size size{nearest_power_of_two(width), nearest_power_of_two(height)};
-    while (std::max(size.width, size.height) > std::max(greatest, 1))
+    while (std::max(size.width, size.height) > std::max(greatest, 1)) {
         size = {std::max(1, size.width / 2), std::max(1, size.height / 2)};
+    }
     return size;
 }
 
@@ -67,14 +72,16 @@ public:
     PackedPixels(const PackedType& type, int width, int height, const std::vector<T>& pixels)
         : type_(&type), image_(width, height, type.components)
     {
-        for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
             unpack_pixel(type, pixels[i], &image_.values[i * type.components]);
+        }
     }
     std::vector<T> pixels() const
     {
         std::vector<T> out;
-        for (std::size_t i = 0; i < image_.values.size(); i += type_->components)
+        for (std::size_t i = 0; i < image_.values.size(); i += type_->components) {
             out.push_back(static_cast<T>(pack_pixel(*type_, &image_.values[i])));
+        }
         return out;
     }
     int width() const { return image_.width; }
@@ -118,14 +125,17 @@ private:
 
 template <class Pixels> void give_levels(const Order& order, Pixels image, Size size)
 {
-    if (image.width() != size.width || image.height() != size.height)
+    if (image.width() != size.width || image.height() != size.height) {
         image = image.scaled(size);
+    }
     for (int level = order.user_level;; ++level) {
-        if (order.wants(level))
+        if (order.wants(level)) {
             glTexImage2D(order.target, level, order.internal_format, image.width(), image.height(), 0,
                          order.format, order.type, image.pixels().data());
-        if (image.width() == 1 && image.height() == 1)
+        }
+        if (image.width() == 1 && image.height() == 1) {
             return;
+        }
         image = image.halved();
     }
 }
@@ -174,12 +184,13 @@ void build_2d(const Order& order, Size given, Size size, const void* data)
         break;
     }
     const PackedType& packed = *find_packed_type(order.type);
-    if (packed.bytes == 1)
+    if (packed.bytes == 1) {
         build_packed<GLubyte>(modes, order, packed, given, size, data);
-    else if (packed.bytes == 2)
+    } else if (packed.bytes == 2) {
         build_packed<GLushort>(modes, order, packed, given, size, data);
-    else
+    } else {
         build_packed<GLuint>(modes, order, packed, given, size, data);
+    }
 }
 
 void build_1d(const Order& order, int given, int size, const void* data)
@@ -189,24 +200,29 @@ void build_1d(const Order& order, int given, int size, const void* data)
     std::vector<GLushort> image = read_shorts(modes, given, 1, order.format, order.type, data);
     int width = given;
     for (int level = order.user_level;; ++level, size /= 2) {
-        if (width != size)
+        if (width != size) {
             image = scale_shorts(image, components_of(order.format), width, 1, size, 1);
+        }
         width = size;
-        if (order.wants(level))
+        if (order.wants(level)) {
             glTexImage1D(order.target, level, order.internal_format, width, 0, order.format,
                          GL_UNSIGNED_SHORT, image.data());
-        if (size == 1)
+        }
+        if (size == 1) {
             return;
+        }
     }
 }
 
 /// Returns 0 or the error that an image is refused with.
 GLenum check(GLenum format, GLenum type, int width, int height)
 {
-    if (format == GL_STENCIL_INDEX)
+    if (format == GL_STENCIL_INDEX) {
         return GLU_INVALID_ENUM;
-    if (const GLenum error = check_format_and_type(format, type))
+    }
+    if (const GLenum error = check_format_and_type(format, type)) {
         return error;
+    }
     return width < 1 || height < 1 ? GLU_INVALID_VALUE : 0;
 }
 
@@ -215,8 +231,9 @@ GLenum check(GLenum format, GLenum type, int width, int height)
 GLint gluBuild1DMipmaps(GLenum target, GLint internalFormat, GLsizei width, GLenum format, GLenum type,
                         const void* data)
 {
-    if (const GLenum error = check(format, type, width, 1))
+    if (const GLenum error = check(format, type, width, 1)) {
         return static_cast<GLint>(error);
+    }
     const int size = texture_size(width, 1).width;
     build_1d({target, internalFormat, format, type, 0, 0, exponent(size)}, width, size, data);
     return 0;
@@ -225,11 +242,13 @@ GLint gluBuild1DMipmaps(GLenum target, GLint internalFormat, GLsizei width, GLen
 GLint gluBuild1DMipmapLevels(GLenum target, GLint internalFormat, GLsizei width, GLenum format, GLenum type,
                              GLint level, GLint base, GLint max, const void* data)
 {
-    if (const GLenum error = check(format, type, width, 1))
+    if (const GLenum error = check(format, type, width, 1)) {
         return static_cast<GLint>(error);
+    }
     const Order order{target, internalFormat, format, type, level, base, max};
-    if (exponent(width) < 0 || !order.is_legal(exponent(width) + level))
+    if (exponent(width) < 0 || !order.is_legal(exponent(width) + level)) {
         return GLU_INVALID_VALUE;
+    }
     build_1d(order, width, width, data);
     return 0;
 }
@@ -237,8 +256,9 @@ GLint gluBuild1DMipmapLevels(GLenum target, GLint internalFormat, GLsizei width,
 GLint gluBuild2DMipmaps(GLenum target, GLint internalFormat, GLsizei width, GLsizei height, GLenum format,
                         GLenum type, const void* data)
 {
-    if (const GLenum error = check(format, type, width, height))
+    if (const GLenum error = check(format, type, width, height)) {
         return static_cast<GLint>(error);
+    }
     const Size size = texture_size(width, height);
     build_2d({target, internalFormat, format, type, 0, 0, exponent(std::max(size.width, size.height))},
              {width, height}, size, data);
@@ -248,13 +268,15 @@ GLint gluBuild2DMipmaps(GLenum target, GLint internalFormat, GLsizei width, GLsi
 GLint gluBuild2DMipmapLevels(GLenum target, GLint internalFormat, GLsizei width, GLsizei height,
                              GLenum format, GLenum type, GLint level, GLint base, GLint max, const void* data)
 {
-    if (const GLenum error = check(format, type, width, height))
+    if (const GLenum error = check(format, type, width, height)) {
         return static_cast<GLint>(error);
+    }
     const Order order{target, internalFormat, format, type, level, base, max};
     // One side need not be a power of two, as long as the levels wanted end before the other side's.
     const int levels = std::max(exponent(width), exponent(height));
-    if (levels < 0 || !order.is_legal(levels + level))
+    if (levels < 0 || !order.is_legal(levels + level)) {
         return GLU_INVALID_VALUE;
+    }
     build_2d(order, {width, height}, {width, height}, data);
     return 0;
 }

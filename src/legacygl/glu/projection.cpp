@@ -17,9 +17,11 @@ using Vector = std::array<float, 3>;
 Vector normalized(Vector v)
 {
     const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    if (length != 0.0f)
-        for (float& component : v)
+    if (length != 0.0f) {
+        for (float& component : v) {
             component /= length;
+        }
+    }
     return v;
 }
 
@@ -40,8 +42,9 @@ void gluPerspective(GLdouble fovy, GLdouble aspect, GLdouble zNear, GLdouble zFa
     const double half_angle = fovy / 2 * PI / 180;
     const double depth = zFar - zNear;
     const double sine = std::sin(half_angle);
-    if (depth == 0 || sine == 0 || aspect == 0)
+    if (depth == 0 || sine == 0 || aspect == 0) {
         return;
+    }
     const double cotangent = std::cos(half_angle) / sine;
     const GLdouble m[16] = {
         cotangent / aspect,        0, 0, 0, 0, cotangent, 0, 0, 0, 0, -(zFar + zNear) / depth, -1, 0, 0,
@@ -65,8 +68,9 @@ void gluLookAt(GLdouble eyeX, GLdouble eyeY, GLdouble eyeZ, GLdouble centerX, GL
 
 void gluPickMatrix(GLdouble x, GLdouble y, GLdouble delX, GLdouble delY, GLint* viewport)
 {
-    if (delX <= 0 || delY <= 0)
+    if (delX <= 0 || delY <= 0) {
         return;
+    }
     glTranslatef(static_cast<float>((viewport[2] - 2 * (x - viewport[0])) / delX),
                  static_cast<float>((viewport[3] - 2 * (y - viewport[1])) / delY), 0);
     glScalef(static_cast<float>(viewport[2] / delX), static_cast<float>(viewport[3] / delY), 1);

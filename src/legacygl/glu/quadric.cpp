@@ -38,11 +38,12 @@ namespace {
 /// Changes a setting if the value is one of those allowed.
 void set(const GLUquadric& quadric, GLenum& setting, GLenum value, std::initializer_list<GLenum> allowed)
 {
-    for (const GLenum one : allowed)
+    for (const GLenum one : allowed) {
         if (value == one) {
             setting = value;
             return;
         }
+    }
     quadric.error(GLU_INVALID_ENUM);
 }
 
@@ -80,7 +81,8 @@ void gluQuadricTexture(GLUquadric* quad, GLboolean texture)
 
 void gluQuadricCallback(GLUquadric* quad, GLenum which, _GLUfuncptr CallBackFunc)
 {
-    if (which != GLU_ERROR)
+    if (which != GLU_ERROR) {
         return quad->error(GLU_INVALID_ENUM);
+    }
     quad->error_callback = reinterpret_cast<void (*)(GLenum)>(CallBackFunc);
 }

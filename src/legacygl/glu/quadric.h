@@ -18,8 +18,9 @@ public:
     bool outside() const { return orientation == GLU_OUTSIDE; }
     void error(GLenum code) const
     {
-        if (error_callback)
+        if (error_callback) {
             error_callback(code);
+        }
     }
 };
 
@@ -28,7 +29,7 @@ namespace legacygl::glu {
 constexpr double PI = 3.14159265358979323846;
 
 /// Finer divisions are drawn with this many, as libGLU draws them.
-constexpr int MAXIMUM_DIVISIONS = 239;
+constexpr int MAX_DIVISIONS = 239;
 
 /// The sines and cosines of count + 1 angles, evenly spread from start over span (radians), times a factor.
 ///
@@ -36,12 +37,12 @@ constexpr int MAXIMUM_DIVISIONS = 239;
 /// the factor is rounded once. Double sines rounded to float are the same natively and on the web.
 struct AngleTable
 {
-    /// count is at most MAXIMUM_DIVISIONS. shift moves the angles back by a fraction of a division.
+    /// count is at most MAX_DIVISIONS. shift moves the angles back by a fraction of a division.
     AngleTable(int count, double span, double factor = 1, double shift = 0, float start = 0);
     /// Makes the last angle's values the first's: a full turn closes without a gap.
     void close(int count);
 
-    std::array<float, MAXIMUM_DIVISIONS + 1> sine, cosine;
+    std::array<float, MAX_DIVISIONS + 1> sine, cosine;
 };
 
 /// Returns the table of a full turn in count divisions, closed.

@@ -42,16 +42,18 @@ public:
         for (int slice = 0; slice < slices_; ++slice) {
             // libGLU has no values for flat points; the smooth normals are what it must have meant.
             line_normal(slice, normal_z_);
-            for (int stack = 0; stack <= stacks_; ++stack)
+            for (int stack = 0; stack <= stacks_; ++stack) {
                 vertex(slice, circle(stack));
+            }
         }
         glEnd();
     }
 
     void inner_circles() const
     {
-        for (int stack = 1; stack < stacks_; ++stack)
+        for (int stack = 1; stack < stacks_; ++stack) {
             draw_circle(stack);
+        }
     }
 
     void silhouette() const
@@ -61,8 +63,9 @@ public:
         for (int slice = 0; slice < slices_; ++slice) {
             line_normal(slice, 0); // Along these lines libGLU's normals do not lean, also a cone's.
             glBegin(GL_LINE_STRIP);
-            for (int stack = 0; stack <= stacks_; ++stack)
+            for (int stack = 0; stack <= stacks_; ++stack) {
                 vertex(slice, circle(stack));
+            }
             glEnd();
         }
     }
@@ -88,22 +91,25 @@ private:
 
     void circle_normal(int slice) const
     {
-        if (quadric_.normals == GLU_FLAT)
+        if (quadric_.normals == GLU_FLAT) {
             glNormal3f(face_normals_.sine[slice], face_normals_.cosine[slice], normal_z_);
-        else if (quadric_.normals == GLU_SMOOTH)
+        } else if (quadric_.normals == GLU_SMOOTH) {
             line_normal(slice, normal_z_);
+        }
     }
 
     void line_normal(int slice, float z) const
     {
-        if (quadric_.normals != GLU_NONE)
+        if (quadric_.normals != GLU_NONE) {
             glNormal3f(normals_.sine[slice], normals_.cosine[slice], z);
+        }
     }
 
     void vertex(int slice, const Circle& at) const
     {
-        if (quadric_.textured)
+        if (quadric_.textured) {
             glTexCoord2f(1 - static_cast<float>(slice) / static_cast<float>(slices_), at.texture_coordinate);
+        }
         glVertex3f(at.radius * around_.sine[slice], at.radius * around_.cosine[slice], at.z);
     }
 
@@ -131,15 +137,17 @@ private:
 
 void gluCylinder(GLUquadric* quad, GLdouble base, GLdouble top, GLdouble height, GLint slices, GLint stacks)
 {
-    if (slices < 2 || stacks < 1 || base < 0 || top < 0 || height < 0)
+    if (slices < 2 || stacks < 1 || base < 0 || top < 0 || height < 0) {
         return quad->error(GLU_INVALID_VALUE);
+    }
     const auto narrowing = static_cast<float>(base - top);
     const auto length =
         static_cast<float>(std::sqrt(static_cast<double>(narrowing * narrowing) + height * height));
-    if (length == 0.0f)
+    if (length == 0.0f) {
         return quad->error(GLU_INVALID_VALUE);
+    }
     const Cylinder cylinder(*quad, base, narrowing, height, length,
-                            slices < MAXIMUM_DIVISIONS ? slices : MAXIMUM_DIVISIONS, stacks);
+                            slices < MAX_DIVISIONS ? slices : MAX_DIVISIONS, stacks);
     switch (quad->draw_style) {
     case GLU_FILL:
         return cylinder.fill();

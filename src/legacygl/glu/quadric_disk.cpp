@@ -17,15 +17,17 @@ public:
           slices_(slices), loops_(loops), whole_(sweep == 360),
           around_(slices, PI * sweep / 180, 1, 0, static_cast<float>(start / 180 * PI))
     {
-        if (whole_)
+        if (whole_) {
             around_.close(slices);
+        }
     }
 
     void fill() const
     {
         const bool has_hole = inner_ != 0;
-        if (!has_hole)
+        if (!has_hole) {
             innermost();
+        }
         for (int loop = 0; loop < (has_hole ? loops_ : loops_ - 1); ++loop) {
             const Circle outside = circle(loop), inside = circle(loop + 1);
             glBegin(GL_QUAD_STRIP);
@@ -40,20 +42,25 @@ public:
     void points() const
     {
         glBegin(GL_POINTS);
-        for (int slice = 0; slice < slices_ + (whole_ ? 0 : 1); ++slice)
-            for (int loop = 0; loop <= loops_; ++loop)
+        for (int slice = 0; slice < slices_ + (whole_ ? 0 : 1); ++slice) {
+            for (int loop = 0; loop <= loops_; ++loop) {
                 vertex(slice, circle(loop));
+            }
+        }
         glEnd();
     }
 
     void lines() const
     {
-        if (inner_ == outer_)
+        if (inner_ == outer_) {
             return draw_circle({static_cast<float>(inner_), 0.5f});
-        for (int loop = 0; loop <= loops_; ++loop)
+        }
+        for (int loop = 0; loop <= loops_; ++loop) {
             draw_circle(circle(loop));
-        for (int slice = 0; slice < slices_ + (whole_ ? 0 : 1); ++slice)
+        }
+        for (int slice = 0; slice < slices_ + (whole_ ? 0 : 1); ++slice) {
             draw_spoke(slice);
+        }
     }
 
     void silhouette() const
@@ -63,8 +70,9 @@ public:
             draw_spoke(slices_);
         }
         draw_circle(circle(0));
-        if (inner_ != outer_)
+        if (inner_ != outer_) {
             draw_circle(circle(loops_));
+        }
     }
 
 private:
@@ -83,36 +91,41 @@ private:
     void vertex(int slice, const Circle& at) const
     {
         const float sine = around_.sine[slice], cosine = around_.cosine[slice];
-        if (quadric_.textured)
+        if (quadric_.textured) {
             glTexCoord2f(at.texture_radius * sine + 0.5f, at.texture_radius * cosine + 0.5f);
+        }
         glVertex3f(at.radius * sine, at.radius * cosine, 0);
     }
 
     void innermost() const
     {
         glBegin(GL_TRIANGLE_FAN);
-        if (quadric_.textured)
+        if (quadric_.textured) {
             glTexCoord2f(0.5f, 0.5f);
+        }
         glVertex3f(0, 0, 0);
         const Circle at = circle(loops_ - 1);
-        for (int i = 0; i <= slices_; ++i)
+        for (int i = 0; i <= slices_; ++i) {
             vertex(quadric_.outside() ? slices_ - i : i, at);
+        }
         glEnd();
     }
 
     void draw_circle(const Circle& at) const
     {
         glBegin(GL_LINE_STRIP);
-        for (int slice = 0; slice <= slices_; ++slice)
+        for (int slice = 0; slice <= slices_; ++slice) {
             vertex(slice, at);
+        }
         glEnd();
     }
 
     void draw_spoke(int slice) const
     {
         glBegin(GL_LINE_STRIP);
-        for (int loop = 0; loop <= loops_; ++loop)
+        for (int loop = 0; loop <= loops_; ++loop) {
             vertex(slice, circle(loop));
+        }
         glEnd();
     }
 
@@ -134,18 +147,21 @@ void gluDisk(GLUquadric* quad, GLdouble inner, GLdouble outer, GLint slices, GLi
 void gluPartialDisk(GLUquadric* quad, GLdouble inner, GLdouble outer, GLint slices, GLint loops,
                     GLdouble start, GLdouble sweep)
 {
-    if (slices < 2 || loops < 1 || outer <= 0 || inner < 0 || inner > outer)
+    if (slices < 2 || loops < 1 || outer <= 0 || inner < 0 || inner > outer) {
         return quad->error(GLU_INVALID_VALUE);
-    if (sweep < -360 || sweep > 360)
+    }
+    if (sweep < -360 || sweep > 360) {
         sweep = 360;
+    }
     if (sweep < 0) {
         start += sweep;
         sweep = -sweep;
     }
-    if (quad->normals != GLU_NONE)
+    if (quad->normals != GLU_NONE) {
         glNormal3f(0, 0, quad->outside() ? 1.0f : -1.0f);
-    const Disk disk(*quad, inner, outer, slices < MAXIMUM_DIVISIONS ? slices : MAXIMUM_DIVISIONS, loops,
-                    start, sweep);
+    }
+    const Disk disk(*quad, inner, outer, slices < MAX_DIVISIONS ? slices : MAX_DIVISIONS, loops, start,
+                    sweep);
     switch (quad->draw_style) {
     case GLU_FILL:
         return disk.fill();

@@ -37,13 +37,15 @@ public:
     void points() const
     {
         glBegin(GL_POINTS);
-        for (int stack = 0; stack <= stacks_; ++stack)
+        for (int stack = 0; stack <= stacks_; ++stack) {
             for (int slice = 0; slice < slices_; ++slice) {
                 // libGLU has no values for flat points; the smooth normals are what it must have meant.
-                if (quadric_.normals != GLU_NONE)
+                if (quadric_.normals != GLU_NONE) {
                     normal(around_, slice, along_normals_, stack);
+                }
                 vertex(slice, stack);
             }
+        }
         glEnd();
     }
 
@@ -52,8 +54,9 @@ public:
         for (int stack = 1; stack < stacks_; ++stack) {
             glBegin(GL_LINE_STRIP);
             for (int slice = 0; slice <= slices_; ++slice) {
-                if (quadric_.normals != GLU_NONE)
+                if (quadric_.normals != GLU_NONE) {
                     normal(flat() ? around_faces_ : around_, slice, along_normals_, stack);
+                }
                 vertex(slice, stack);
             }
             glEnd();
@@ -61,8 +64,9 @@ public:
         for (int slice = 0; slice < slices_; ++slice) {
             glBegin(GL_LINE_STRIP);
             for (int stack = 0; stack <= stacks_; ++stack) {
-                if (quadric_.normals != GLU_NONE)
+                if (quadric_.normals != GLU_NONE) {
                     normal(around_, slice, flat() ? along_faces_ : along_normals_, stack);
+                }
                 vertex(slice, stack);
             }
             glEnd();
@@ -81,9 +85,10 @@ private:
 
     void vertex(int slice, int stack) const
     {
-        if (quadric_.textured)
+        if (quadric_.textured) {
             glTexCoord2f(1 - static_cast<float>(slice) / static_cast<float>(slices_),
                          1 - static_cast<float>(stack) / static_cast<float>(stacks_));
+        }
         glVertex3f(along_.sine[stack] * around_.sine[slice], along_.sine[stack] * around_.cosine[slice],
                    along_.cosine[stack]);
     }
@@ -91,18 +96,20 @@ private:
     /// Draws the fan between a pole and the circle next to it. face is the stack of the flat normals.
     void cap(float z, int pole, int circle, int face, bool ascending) const
     {
-        if (smooth())
+        if (smooth()) {
             // libGLU takes the slice with the number of the stack, which it may not have; next to no matter
             // which, as the sine there is 0 but for rounding.
             normal(around_, pole <= slices_ ? pole : 0, along_normals_, pole);
+        }
         glBegin(GL_TRIANGLE_FAN);
         glVertex3f(0, 0, z);
         for (int i = 0; i <= slices_; ++i) {
             const int slice = ascending ? i : slices_ - i;
-            if (smooth())
+            if (smooth()) {
                 normal(around_, slice, along_normals_, circle);
-            else if (flat() && (ascending || i > 0))
+            } else if (flat() && (ascending || i > 0)) {
                 normal(around_faces_, ascending ? slice : slice + 1, along_faces_, face);
+            }
             vertex(slice, circle);
         }
         glEnd();
@@ -115,13 +122,15 @@ private:
             const int trailing = quadric_.outside() ? stack : stack + 1;
             glBegin(GL_QUAD_STRIP);
             for (int slice = 0; slice <= slices_; ++slice) {
-                if (smooth())
+                if (smooth()) {
                     normal(around_, slice, along_normals_, leading);
+                }
                 vertex(slice, leading);
-                if (smooth())
+                if (smooth()) {
                     normal(around_, slice, along_normals_, trailing);
-                else if (flat())
+                } else if (flat()) {
                     normal(around_faces_, slice, along_faces_, stack + 1);
+                }
                 vertex(slice, trailing);
             }
             glEnd();
@@ -139,10 +148,11 @@ private:
 
 void gluSphere(GLUquadric* quad, GLdouble radius, GLint slices, GLint stacks)
 {
-    if (slices < 2 || stacks < 1 || radius < 0)
+    if (slices < 2 || stacks < 1 || radius < 0) {
         return quad->error(GLU_INVALID_VALUE);
-    const Sphere sphere(*quad, radius, slices < MAXIMUM_DIVISIONS ? slices : MAXIMUM_DIVISIONS,
-                        stacks < MAXIMUM_DIVISIONS ? stacks : MAXIMUM_DIVISIONS);
+    }
+    const Sphere sphere(*quad, radius, slices < MAX_DIVISIONS ? slices : MAX_DIVISIONS,
+                        stacks < MAX_DIVISIONS ? stacks : MAX_DIVISIONS);
     switch (quad->draw_style) {
     case GLU_FILL:
         return sphere.fill();

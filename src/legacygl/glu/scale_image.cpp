@@ -7,15 +7,19 @@ using namespace legacygl::glu;
 GLint gluScaleImage(GLenum format, GLsizei wIn, GLsizei hIn, GLenum typeIn, const void* dataIn, GLsizei wOut,
                     GLsizei hOut, GLenum typeOut, GLvoid* dataOut)
 {
-    if (wIn == 0 || hIn == 0 || wOut == 0 || hOut == 0)
+    if (wIn == 0 || hIn == 0 || wOut == 0 || hOut == 0) {
         return 0;
-    if (wIn < 0 || hIn < 0 || wOut < 0 || hOut < 0)
+    }
+    if (wIn < 0 || hIn < 0 || wOut < 0 || hOut < 0) {
         return GLU_INVALID_VALUE;
+    }
     const GLenum in = check_format_and_type(format, typeIn), out = check_format_and_type(format, typeOut);
-    if (in == GLU_INVALID_ENUM || out == GLU_INVALID_ENUM)
+    if (in == GLU_INVALID_ENUM || out == GLU_INVALID_ENUM) {
         return GLU_INVALID_ENUM;
-    if (in != 0 || out != 0)
+    }
+    if (in != 0 || out != 0) {
         return GLU_INVALID_OPERATION;
+    }
     const std::vector<GLushort> image =
         read_shorts(PixelStoreModes::unpacking(), wIn, hIn, format, typeIn, dataIn);
     write_shorts(PixelStoreModes::packing(), wOut, hOut, format, typeOut,

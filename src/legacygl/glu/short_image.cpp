@@ -95,12 +95,13 @@ template <class T> std::vector<GLushort> read(const Client& c, const void* data)
     const std::vector<T> values = read_values<T>(c.modes, c.width, c.height, components_of(c.format), data);
     std::vector<GLushort> image(values.size());
     for (std::size_t i = 0; i < image.size(); ++i) {
-        if (!is_index(c.format))
+        if (!is_index(c.format)) {
             image[i] = to_short(values[i]);
-        else if constexpr (std::is_floating_point_v<T>)
+        } else if constexpr (std::is_floating_point_v<T>) {
             image[i] = truncated(static_cast<double>(values[i]));
-        else
+        } else {
             image[i] = static_cast<GLushort>(values[i]);
+        }
     }
     return image;
 }
@@ -112,8 +113,9 @@ std::vector<GLushort> read_packed(const Client& c, const PackedType& type, const
     for (const T pixel : read_values<T>(c.modes, c.width, c.height, 1, data)) {
         std::array<float, 4> components;
         unpack_pixel(type, pixel, components.data());
-        for (int i = 0; i < type.components; ++i)
+        for (int i = 0; i < type.components; ++i) {
             image.push_back(truncated(static_cast<double>(components[i] * 65535)));
+        }
     }
     return image;
 }
@@ -121,8 +123,9 @@ std::vector<GLushort> read_packed(const Client& c, const PackedType& type, const
 template <class T> void write(const Client& c, const std::vector<GLushort>& image, void* data)
 {
     std::vector<T> values(image.size());
-    for (std::size_t i = 0; i < image.size(); ++i)
+    for (std::size_t i = 0; i < image.size(); ++i) {
         values[i] = is_index(c.format) ? static_cast<T>(image[i]) : from_short<T>(image[i]);
+    }
     write_values(c.modes, c.width, c.height, components_of(c.format), std::move(values), data);
 }
 
@@ -132,8 +135,9 @@ void write_packed(const Client& c, const PackedType& type, const std::vector<GLu
     std::vector<T> pixels;
     for (std::size_t i = 0; i < image.size(); i += type.components) {
         std::array<float, 4> components;
-        for (int k = 0; k < type.components; ++k)
+        for (int k = 0; k < type.components; ++k) {
             components[k] = static_cast<float>(image[i + k] / 65535.0);
+        }
         pixels.push_back(static_cast<T>(pack_pixel(type, components.data())));
     }
     write_values(c.modes, c.width, c.height, 1, std::move(pixels), data);
@@ -199,11 +203,12 @@ std::vector<GLushort> read_shorts(const PixelStoreModes& modes, int width, int h
     const PackedType* packed = find_packed_type(type);
     std::vector<GLushort> image;
     with_type(type, [&]<class T>(T) {
-        if constexpr (std::is_unsigned_v<T>)
+        if constexpr (std::is_unsigned_v<T>) {
             if (packed) {
                 image = read_packed<T>(client, *packed, data);
                 return;
             }
+        }
         image = read<T>(client, data);
     });
     return image;
@@ -215,9 +220,11 @@ void write_shorts(const PixelStoreModes& modes, int width, int height, GLenum fo
     const Client client{modes, width, height, format};
     const PackedType* packed = find_packed_type(type);
     with_type(type, [&]<class T>(T) {
-        if constexpr (std::is_unsigned_v<T>)
-            if (packed)
+        if constexpr (std::is_unsigned_v<T>) {
+            if (packed) {
                 return write_packed<T>(client, *packed, image, data);
+            }
+        }
         write<T>(client, image, data);
     });
 }
@@ -231,11 +238,14 @@ std::vector<GLushort> scale_shorts(const std::vector<GLushort>& image, int compo
         return image.data() + (static_cast<std::size_t>(y) * width + x) * components;
     };
     if (width == 2 * new_width && height == 2 * new_height) {
-        for (int y = 0; y < height; y += 2)
-            for (int x = 0; x < width; x += 2)
-                for (int k = 0; k < components; ++k)
+        for (int y = 0; y < height; y += 2) {
+            for (int x = 0; x < width; x += 2) {
+                for (int k = 0; k < components; ++k) {
                     out.push_back(static_cast<GLushort>(
                         (at(x, y)[k] + at(x + 1, y)[k] + at(x, y + 1)[k] + at(x + 1, y + 1)[k] + 2) / 4));
+                }
+            }
+        }
         return out;
     }
     const float step_x = static_cast<float>(width) / static_cast<float>(new_width);
@@ -250,12 +260,14 @@ std::vector<GLushort> scale_shorts(const std::vector<GLushort>& image, int compo
                 columns.each(width, [&](int x, float part_x) {
                     const float part = part_x * part_y;
                     area += part;
-                    for (int k = 0; k < components; ++k)
+                    for (int k = 0; k < components; ++k) {
                         totals[k] += static_cast<float>(at(x, y)[k]) * part;
+                    }
                 });
             });
-            for (int k = 0; k < components; ++k)
+            for (int k = 0; k < components; ++k) {
                 out.push_back(truncated((static_cast<double>(totals[k]) + 0.5) / static_cast<double>(area)));
+            }
         }
     }
     return out;

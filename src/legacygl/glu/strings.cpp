@@ -65,14 +65,16 @@ const GLubyte* gluGetString(GLenum name)
 
 GLboolean gluCheckExtension(const GLubyte* extName, const GLubyte* extString)
 {
-    if (!extName || !extString)
+    if (!extName || !extString) {
         return GL_FALSE;
+    }
     const std::string_view name = reinterpret_cast<const char*>(extName);
     std::string_view rest = reinterpret_cast<const char*>(extString);
     while (!rest.empty()) {
         const std::string_view word = rest.substr(0, rest.find(' '));
-        if (!name.empty() && word == name)
+        if (!name.empty() && word == name) {
             return GL_TRUE;
+        }
         rest.remove_prefix(word.size() < rest.size() ? word.size() + 1 : word.size());
     }
     return GL_FALSE;

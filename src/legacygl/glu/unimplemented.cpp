@@ -20,8 +20,9 @@ namespace {
 /// Says once that a function does nothing; each call site has its own memory of that.
 void say(bool& said, const char* name)
 {
-    if (!said)
+    if (!said) {
         std::fprintf(stderr, "legacygl: %s is not implemented and does nothing\n", name);
+    }
     said = true;
 }
 

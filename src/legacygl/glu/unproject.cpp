@@ -13,8 +13,9 @@ using Matrix = std::array<double, 16>; ///< Column by column.
 Vector transform(const GLdouble* m, const Vector& v)
 {
     Vector out;
-    for (int row = 0; row < 4; ++row)
+    for (int row = 0; row < 4; ++row) {
         out[row] = v[0] * m[row] + v[1] * m[row + 4] + v[2] * m[row + 8] + v[3] * m[row + 12];
+    }
     return out;
 }
 
@@ -25,8 +26,9 @@ Matrix combined(const GLdouble* first, const GLdouble* second)
     for (int column = 0; column < 4; ++column) {
         const GLdouble* c = first + static_cast<std::ptrdiff_t>(4) * column;
         const Vector result = transform(second, {c[0], c[1], c[2], c[3]});
-        for (int row = 0; row < 4; ++row)
+        for (int row = 0; row < 4; ++row) {
             out[4 * column + row] = result[row];
+        }
     }
     return out;
 }
@@ -36,11 +38,14 @@ double cofactor(const Matrix& m, int without_row, int without_column)
 {
     std::array<std::array<double, 3>, 3> minor; // minor[column][row]
     for (int column = 0, to_column = 0; column < 4; ++column) {
-        if (column == without_column)
+        if (column == without_column) {
             continue;
-        for (int row = 0, to_row = 0; row < 4; ++row)
-            if (row != without_row)
+        }
+        for (int row = 0, to_row = 0; row < 4; ++row) {
+            if (row != without_row) {
                 minor[to_column][to_row++] = m[4 * column + row];
+            }
+        }
         ++to_column;
     }
     const auto& [a, b, c] = minor;
@@ -55,15 +60,19 @@ double cofactor(const Matrix& m, int without_row, int without_column)
 /// Returns whether m has an inverse, and that in out (Cramer's rule).
 bool invert(const Matrix& m, Matrix& out)
 {
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) {
             out[4 * column + row] = cofactor(m, column, row);
+        }
+    }
     const double determinant = m[0] * out[0] + m[1] * out[4] + m[2] * out[8] + m[3] * out[12];
-    if (determinant == 0)
+    if (determinant == 0) {
         return false;
+    }
     const double scale = 1 / determinant;
-    for (double& value : out)
+    for (double& value : out) {
         value *= scale;
+    }
     return true;
 }
 
@@ -72,8 +81,9 @@ bool unproject(double x, double y, double depth, double clip_w, const GLdouble* 
                const GLint* view, Vector& out)
 {
     Matrix inverse;
-    if (!invert(combined(model, proj), inverse))
+    if (!invert(combined(model, proj), inverse)) {
         return false;
+    }
     out = transform(inverse.data(), {(x - view[0]) / view[2] * 2 - 1, (y - view[1]) / view[3] * 2 - 1,
                                      depth * 2 - 1, clip_w});
     return out[3] != 0;
@@ -85,8 +95,9 @@ GLint gluProject(GLdouble objX, GLdouble objY, GLdouble objZ, const GLdouble* mo
                  const GLint* view, GLdouble* winX, GLdouble* winY, GLdouble* winZ)
 {
     const Vector clip = transform(proj, transform(model, {objX, objY, objZ, 1}));
-    if (clip[3] == 0)
+    if (clip[3] == 0) {
         return GL_FALSE;
+    }
     *winX = (clip[0] / clip[3] * 0.5 + 0.5) * view[2] + view[0];
     *winY = (clip[1] / clip[3] * 0.5 + 0.5) * view[3] + view[1];
     *winZ = clip[2] / clip[3] * 0.5 + 0.5;
@@ -97,8 +108,9 @@ GLint gluUnProject(GLdouble winX, GLdouble winY, GLdouble winZ, const GLdouble* 
                    const GLint* view, GLdouble* objX, GLdouble* objY, GLdouble* objZ)
 {
     Vector object;
-    if (!unproject(winX, winY, winZ, 1, model, proj, view, object))
+    if (!unproject(winX, winY, winZ, 1, model, proj, view, object)) {
         return GL_FALSE;
+    }
     *objX = object[0] / object[3];
     *objY = object[1] / object[3];
     *objZ = object[2] / object[3];
@@ -110,8 +122,9 @@ GLint gluUnProject4(GLdouble winX, GLdouble winY, GLdouble winZ, GLdouble clipW,
                     GLdouble* objX, GLdouble* objY, GLdouble* objZ, GLdouble* objW)
 {
     Vector object;
-    if (!unproject(winX, winY, (winZ - nearVal) / (farVal - nearVal), clipW, model, proj, view, object))
+    if (!unproject(winX, winY, (winZ - nearVal) / (farVal - nearVal), clipW, model, proj, view, object)) {
         return GL_FALSE;
+    }
     *objX = object[0];
     *objY = object[1];
     *objZ = object[2];

@@ -13,8 +13,9 @@ void DisplayList::append(VertexBatch batch, Replay replay)
 
 Blob DisplayList::keep(const Blob& blob)
 {
-    if (blob.size == 0)
+    if (blob.size == 0) {
         return {nullptr, 0};
+    }
     blobs_.push_back(std::make_unique<std::uint8_t[]>(blob.size));
     std::memcpy(blobs_.back().get(), blob.data, blob.size);
     return {blobs_.back().get(), blob.size};
@@ -32,8 +33,9 @@ void DisplayList::finish()
 
 void DisplayList::run(Context& gl, Replay replay)
 {
-    if (only_)
+    if (only_) {
         return replay(gl, *only_);
+    }
     for (std::size_t at = 0; at < commands_.size();) {
         const auto* header = reinterpret_cast<const Header*>(&commands_[at]);
         header->run(gl, &commands_[at + HEADER_WORDS]);
@@ -48,23 +50,26 @@ ListStore::Place ListStore::make_place()
         free_.pop_back();
         return place;
     }
-    if (made_ / CHUNK >= chunks_.size())
+    if (made_ / CHUNK >= chunks_.size()) {
         add_chunk();
+    }
     return made_++;
 }
 
 void ListStore::release(Place place)
 {
-    if (place == NONE || place == EMPTY)
+    if (place == NONE || place == EMPTY) {
         return;
+    }
     at(place) = DisplayList{};
     free_.push_back(place);
 }
 
 void ListStore::set_place(GLuint name, Place place)
 {
-    if (name < LOW && name >= low_.size())
+    if (name < LOW && name >= low_.size()) {
         low_.resize(std::size_t{name} + 1, NONE);
+    }
     release(std::exchange(name < LOW ? low_[name] : high_[name], place));
 }
 
@@ -79,27 +84,34 @@ GLuint ListStore::generate(GLsizei range)
 {
     const auto count = static_cast<std::uint64_t>(range);
     std::uint64_t first = 1;
-    for (std::uint64_t name = 1; name < low_.size() && name < first + count; ++name)
-        if (low_[name])
+    for (std::uint64_t name = 1; name < low_.size() && name < first + count; ++name) {
+        if (low_[name]) {
             first = name + 1;
-    for (const auto& [name, list] : high_) {
-        if (name >= first + count)
-            break;
-        if (name >= first)
-            first = std::uint64_t{name} + 1;
+        }
     }
-    if (count == 0 || first + count - 1 > 0xffffffffu)
+    for (const auto& [name, list] : high_) {
+        if (name >= first + count) {
+            break;
+        }
+        if (name >= first) {
+            first = std::uint64_t{name} + 1;
+        }
+    }
+    if (count == 0 || first + count - 1 > 0xffffffffu) {
         return 0;
-    for (std::uint64_t i = 0; i < count; ++i)
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
         set_place(static_cast<GLuint>(first + i), EMPTY);
+    }
     return static_cast<GLuint>(first);
 }
 
 void ListStore::erase(GLuint first, GLsizei range)
 {
     const std::uint64_t end = std::uint64_t{first} + static_cast<std::uint64_t>(range);
-    for (std::uint64_t name = first; name < end && name < low_.size(); ++name)
+    for (std::uint64_t name = first; name < end && name < low_.size(); ++name) {
         release(std::exchange(low_[name], NONE));
+    }
     for (auto it = high_.lower_bound(first); it != high_.end() && it->first < end;) {
         release(it->second);
         it = high_.erase(it);

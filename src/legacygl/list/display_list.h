@@ -98,8 +98,9 @@ public:
 private:
     void close_batch()
     {
-        if (!vertices_.batch().empty() || vertices_.inside())
+        if (!vertices_.batch().empty() || vertices_.inside()) {
             list_.append(vertices_.take(), replay_);
+        }
     }
 
     GLuint name_;
@@ -115,8 +116,8 @@ class ListStore
 {
 public:
     ListStore() { add_chunk(); }
-    /// Returns the list, or null. It stays until its name is put anew or erased, which no list that runs can
-    /// do: those commands are never compiled.
+    /// Returns the list, or null. It stays until its name is given another list or erased, which no list that
+    /// runs can do: those commands are never compiled.
     DisplayList* find(GLuint name)
     {
         const Place place = place_of(name);
@@ -141,8 +142,9 @@ private:
     DisplayList& at(Place place) { return (*chunks_[place / CHUNK])[place % CHUNK]; }
     Place place_of(GLuint name) const
     {
-        if (name < low_.size())
+        if (name < low_.size()) {
             return low_[name];
+        }
         const auto found = high_.find(name);
         return found == high_.end() ? NONE : found->second;
     }

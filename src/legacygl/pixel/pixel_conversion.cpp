@@ -21,8 +21,9 @@ struct ClientLayout
         const std::size_t length = store.row_length > 0 ? store.row_length : width;
         row = pixel * length;
         const auto alignment = static_cast<std::size_t>(store.alignment);
-        if (element < alignment)
+        if (element < alignment) {
             row = (row + alignment - 1) / alignment * alignment;
+        }
         start = row * store.skip_rows + pixel * store.skip_pixels;
     }
     std::size_t pixel, row, start;
@@ -95,9 +96,11 @@ void copy_value(bool swap, const std::uint8_t* from, std::uint8_t* to, int size)
 int shift_of(const PackedType& packed, int i)
 {
     int shift = 0;
-    for (int k = 0; k < packed.values(); ++k)
-        if (packed.reversed ? k < i : k > i)
+    for (int k = 0; k < packed.values(); ++k) {
+        if (packed.reversed ? k < i : k > i) {
             shift += packed.bits[k];
+        }
+    }
     return shift;
 }
 
@@ -110,8 +113,9 @@ void read_values(bool swap, GLenum format, GLenum type, const PackedType* packed
     if (packed) {
         copy_value(swap, p, bytes, size);
         std::uint32_t word = 0;
-        for (int i = size; i-- > 0;)
+        for (int i = size; i-- > 0;) {
             word = word << 8 | bytes[i];
+        }
         for (int i = 0; i < packed->values(); ++i) {
             const std::uint32_t greatest = (1u << packed->bits[i]) - 1;
             const std::uint32_t value = word >> shift_of(*packed, i) & greatest;
@@ -182,8 +186,9 @@ void write_packed(const PackedType& packed, const Rgba& values, std::uint8_t* to
         const std::uint32_t greatest = (1u << packed.bits[i]) - 1;
         word |= (values[i] * greatest + 127) / 255 << shift_of(packed, i);
     }
-    for (int i = 0; i < packed.bytes; ++i)
+    for (int i = 0; i < packed.bytes; ++i) {
         to[i] = static_cast<std::uint8_t>(word >> 8 * i);
+    }
 }
 
 void write_pixel(bool swap, GLenum format, GLenum type, const PackedType* packed, const Rgba& values,
@@ -269,8 +274,9 @@ double depth_in(GLenum type, std::uint32_t steps)
 
 std::size_t client_image_bytes(const PixelStore& store, int width, int height, GLenum format, GLenum type)
 {
-    if (width <= 0 || height <= 0 || format_type_error(format, type) != GL_NO_ERROR)
+    if (width <= 0 || height <= 0 || format_type_error(format, type) != GL_NO_ERROR) {
         return 0;
+    }
     const ClientLayout layout(store, width, format, type);
     return layout.start + layout.row * (height - 1) + layout.pixel * width;
 }
@@ -302,8 +308,9 @@ void pack_pixels(const PixelStore& store, int width, int height, GLenum format, 
     const std::uint8_t* from = rgba.data();
     for (int y = 0; y < height; ++y) {
         std::uint8_t* to = out + layout.start + layout.row * y;
-        for (int x = 0; x < width; ++x, from += 4, to += layout.pixel)
+        for (int x = 0; x < width; ++x, from += 4, to += layout.pixel) {
             write_pixel(store.swap_bytes, format, type, packed, gather(format, from, luminance), to);
+        }
     }
 }
 
@@ -317,9 +324,10 @@ void pack_stencils(const PixelStore& store, int width, int height, GLenum type,
                    std::span<const std::uint8_t> values, std::uint8_t* out)
 {
     if (type == GL_BITMAP) {
-        for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t i = 0; i < values.size(); ++i) {
             write_bit(store, width, static_cast<int>(i) % width, static_cast<int>(i) / width, values[i] & 1,
                       out);
+        }
         return;
     }
     pack_numbers(

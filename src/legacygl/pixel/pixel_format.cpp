@@ -69,11 +69,13 @@ int bytes_per_pixel(GLenum format, GLenum type)
 
 GLenum format_type_error(GLenum format, GLenum type)
 {
-    if (values_per_pixel(format) == 0 || bytes_per_value(type) == 0)
+    if (values_per_pixel(format) == 0 || bytes_per_value(type) == 0) {
         return GL_INVALID_ENUM;
+    }
     const PackedType* packed = find_packed_type(type);
-    if (!packed)
+    if (!packed) {
         return GL_NO_ERROR;
+    }
     const bool fits = packed->values() == 3 ? format == GL_RGB : format == GL_RGBA || format == GL_BGRA;
     return fits ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
@@ -85,16 +87,19 @@ std::uint8_t byte_of_bits(std::uint32_t value, int bits)
         return static_cast<std::uint8_t>((value * 255 + greatest / 2) / greatest);
     }
     std::uint32_t byte = 0;
-    for (int shift = 8 - bits; shift > -bits; shift -= bits)
+    for (int shift = 8 - bits; shift > -bits; shift -= bits) {
         byte |= shift >= 0 ? value << shift : value >> -shift;
+    }
     return static_cast<std::uint8_t>(byte);
 }
 
 const PackedType* find_packed_type(GLenum type)
 {
-    for (const PackedType& packed : PACKED_TYPES)
-        if (packed.type == type)
+    for (const PackedType& packed : PACKED_TYPES) {
+        if (packed.type == type) {
             return &packed;
+        }
+    }
     return nullptr;
 }
 

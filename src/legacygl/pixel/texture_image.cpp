@@ -11,8 +11,9 @@ namespace {
 /// Returns a byte as it comes back from that many bits; all of it for 0 bits, which the format drops anyway.
 std::uint8_t through_bits(std::uint8_t value, int bits)
 {
-    if (bits == 0 || bits == 8)
+    if (bits == 0 || bits == 8) {
         return value;
+    }
     const int greatest = (1 << bits) - 1;
     const int kept = (value * greatest + 127) / 255;
     return byte_of_bits(static_cast<std::uint32_t>(kept), bits);
@@ -31,15 +32,16 @@ void store(TextureImage& image, const TexelRectangle& part, std::span<const std:
     for (int y = 0; y < part.height; ++y) {
         std::uint8_t* to = texel(image, part.x, part.y + y);
         for (int i = 0; i < part.width; ++i, from += 4, to += 4) {
-            for (int c = 0; c < 4; ++c)
+            for (int c = 0; c < 4; ++c) {
                 to[c] = through_bits(from[c], bits[c]);
+            }
             keep_components<std::uint8_t>(base, to, 255);
         }
     }
     image.changed = true;
 }
 
-/// Makes the levels below the base one anew, their texels to be derived when they are needed.
+/// Recreates the levels below the base one; their texels are derived when they are needed.
 void derive_levels(Texture& texture)
 {
     const int base = texture.parameters.sampling.base_level;
@@ -47,8 +49,9 @@ void derive_levels(Texture& texture)
                                texture.levels[base].height};
     const int last =
         std::min(base + level_count(from.width, from.height) - 1, texture.parameters.sampling.max_level);
-    if (static_cast<int>(texture.levels.size()) <= last)
+    if (static_cast<int>(texture.levels.size()) <= last) {
         texture.levels.resize(last + 1);
+    }
     for (int level = base + 1; level <= last; ++level) {
         TextureImage& image = texture.levels[level];
         image = {from.internal_format, std::max(1, from.width >> (level - base)),
@@ -110,8 +113,9 @@ std::vector<std::uint8_t> reduce(const std::vector<std::uint8_t>& above, int wid
 std::vector<std::uint8_t> sampled_texels(const Texture& texture, int level)
 {
     const TextureImage& image = texture.levels[level];
-    if (!image.derived)
+    if (!image.derived) {
         return image.rgba;
+    }
     const TextureImage& above = texture.levels[level - 1];
     return reduce(sampled_texels(texture, level - 1), above.width, above.height);
 }
@@ -121,38 +125,44 @@ std::vector<std::uint8_t> sampled_texels(const Texture& texture, int level)
 int level_count(int width, int height)
 {
     int count = 1;
-    for (int size = std::max(width, height); size > 1; size /= 2)
+    for (int size = std::max(width, height); size > 1; size /= 2) {
         ++count;
+    }
     return count;
 }
 
 void set_level(Texture& texture, int level, GLint internal_format, int width, int height,
                std::span<const std::uint8_t> rgba)
 {
-    if (texture.levels.size() <= static_cast<std::size_t>(level))
+    if (texture.levels.size() <= static_cast<std::size_t>(level)) {
         texture.levels.resize(level + 1);
+    }
     TextureImage& image = texture.levels[level];
     image = {internal_format, width, height};
     image.rgba.resize(static_cast<std::size_t>(width) * height * 4);
-    if (!rgba.empty())
+    if (!rgba.empty()) {
         store(image, {0, 0, width, height}, rgba);
+    }
     image.changed = true;
-    if (derives(texture, level))
+    if (derives(texture, level)) {
         derive_levels(texture);
+    }
 }
 
 void set_part(Texture& texture, int level, const TexelRectangle& part, std::span<const std::uint8_t> rgba)
 {
-    if (part.width == 0 || part.height == 0)
+    if (part.width == 0 || part.height == 0) {
         return;
+    }
     TextureImage& image = texture.levels[level];
     if (image.derived) {
         image.rgba = sampled_texels(texture, level);
         image.derived = false;
     }
     store(image, part, rgba);
-    if (derives(texture, level))
+    if (derives(texture, level)) {
         derive_levels(texture);
+    }
 }
 
 std::vector<std::uint8_t> level_texels(const Texture& texture, int level)
@@ -163,8 +173,9 @@ std::vector<std::uint8_t> level_texels(const Texture& texture, int level)
         base == BaseFormat::luminance || base == BaseFormat::luminance_alpha || base == BaseFormat::intensity;
     for (std::size_t i = 0; red_only && i < rgba.size(); i += 4) {
         rgba[i + 1] = rgba[i + 2] = 0;
-        if (base == BaseFormat::intensity)
+        if (base == BaseFormat::intensity) {
             rgba[i + 3] = 255;
+        }
     }
     return rgba;
 }

@@ -16,13 +16,15 @@ inline bool is_texture_target(GLenum target)
     return target == GL_TEXTURE_1D || target == GL_TEXTURE_2D;
 }
 
-/// Returns the target of an image of so many dimensions, or nothing when it is none.
+/// Returns the target of an image of so many dimensions, or nothing when it is not one.
 inline std::optional<ImageTarget> find_image_target(GLenum target, int dimensions)
 {
-    if (target == (dimensions == 1 ? GL_TEXTURE_1D : GL_TEXTURE_2D))
+    if (target == (dimensions == 1 ? GL_TEXTURE_1D : GL_TEXTURE_2D)) {
         return ImageTarget{dimensions - 1, false};
-    if (target == (dimensions == 1 ? GL_PROXY_TEXTURE_1D : GL_PROXY_TEXTURE_2D))
+    }
+    if (target == (dimensions == 1 ? GL_PROXY_TEXTURE_1D : GL_PROXY_TEXTURE_2D)) {
         return ImageTarget{dimensions - 1, true};
+    }
     return {};
 }
 

@@ -19,10 +19,12 @@ bool is_mipmapped(GLenum filter)
 /// u: the coordinate in texels, size: the texture's, as expressions.
 std::string inside(GLenum wrap, bool linear, const std::string& u, const std::string& size)
 {
-    if (wrap == 0 || (wrap == GL_CLAMP && !linear))
+    if (wrap == 0 || (wrap == GL_CLAMP && !linear)) {
         return "";
-    if (!linear)
+    }
+    if (!linear) {
         return "(" + u + " >= 0.0 && " + u + " < " + size + " ? 1.0 : 0.0)";
+    }
     const std::string at = wrap == GL_CLAMP ? "clamp(" + u + ", 0.0, " + size + ")" : u;
     return "(1.0 - clamp(0.5 - " + at + ", 0.0, 1.0)) * (1.0 - clamp(" + at + " - " + size +
            " + 0.5, 0.0, 1.0))";
@@ -33,8 +35,9 @@ std::string weight(const TextureKey& texture, bool linear)
 {
     const std::string s = inside(texture.border_wrap[0], linear, "at.x", "size.x");
     const std::string t = inside(texture.border_wrap[1], linear, "at.y", "size.y");
-    if (s.empty() && t.empty())
+    if (s.empty() && t.empty()) {
         return "1.0";
+    }
     return s.empty() ? t : t.empty() ? s : s + " * " + t;
 }
 
@@ -43,8 +46,9 @@ std::string weight(const TextureKey& texture, bool linear)
 std::string border_text(const ShaderKey& key, int unit)
 {
     const TextureKey& texture = key.textures[unit];
-    if (!texture.has_border())
+    if (!texture.has_border()) {
         return "";
+    }
     const std::string number = std::to_string(unit), place = "texture_position_" + number;
     const std::string minified = weight(texture, is_linear(texture.minify)),
                       magnified = weight(texture, is_linear(texture.magnify));
@@ -60,10 +64,11 @@ std::string border_text(const ShaderKey& key, int unit)
                        ".x"
                  : std::string()) +
             ";\n        float weight = " + magnified + ";\n        if (level > 0.0) {\n";
-        if (is_mipmapped(texture.minify))
+        if (is_mipmapped(texture.minify)) {
             text += "            vec2 smaller = max(vec2(1.0), floor(size * exp2(-floor(level + 0.5))));\n"
                     "            at *= smaller / size;\n"
                     "            size = smaller;\n";
+        }
         text += "            weight = " + minified + ";\n        }\n";
     }
     return text + "        t" + number + " = mix(" +

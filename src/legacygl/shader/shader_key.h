@@ -10,7 +10,7 @@
 
 namespace legacygl {
 
-/// What of an enabled light changes the text of the shader.
+/// Light properties that affect the generated shader.
 struct LightKey
 {
     bool positional = false;
@@ -19,7 +19,7 @@ struct LightKey
     bool operator==(const LightKey&) const = default;
 };
 
-/// What of a texture unit changes the text of the shader.
+/// Properties of a texture unit that affect the generated shader.
 struct TextureKey
 {
     BaseFormat format = BaseFormat::none; ///< none: the unit draws without a texture.
@@ -41,9 +41,11 @@ struct TextureKey
     bool has_border() const { return border_wrap[0] != 0 || border_wrap[1] != 0; }
     bool generates(GLenum mode) const
     {
-        for (GLenum g : generation)
-            if (g == mode)
+        for (GLenum g : generation) {
+            if (g == mode) {
                 return true;
+            }
+        }
         return false;
     }
     /// Returns whether all fragments of a primitive have the same coordinates of this unit. varying: the
@@ -71,7 +73,7 @@ constexpr int VIEWPORT_MARGIN = 256;
 /// The attribute that shaded vertices carry their point size (x) or coverage values in.
 constexpr Attribute SHADED_EXTRA = Attribute::normal;
 
-/// What of the state changes the text of the fixed-function shader; everything else is a uniform.
+/// The state that affects the generated fixed-function shader; everything else is a uniform.
 struct ShaderKey
 {
     bool lighting = false;
@@ -174,7 +176,7 @@ constexpr int MODEL_AMBIENT = 2 * FACE_SIZE;
 /// 2 specular) is light × material, or the light alone where the material follows the colour.
 constexpr int LIGHT = MODEL_AMBIENT + 1, POSITION = 0, HALF_VECTOR = 1, SPOT = 2, ATTENUATION = 3,
               PRODUCT = 4, LIGHT_SIZE = 10;
-constexpr int MAXIMUM_SIZE = LIGHT + LIGHT_COUNT * LIGHT_SIZE;
+constexpr int MAX_SIZE = LIGHT + LIGHT_COUNT * LIGHT_SIZE;
 constexpr int size(int light_count)
 {
     return LIGHT + light_count * LIGHT_SIZE;

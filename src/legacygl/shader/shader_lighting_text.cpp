@@ -18,12 +18,15 @@ public:
 
     std::string text()
     {
-        if (key_.local_viewer && key_.specular)
+        if (key_.local_viewer && key_.specular) {
             line("vec3 eye_direction = eye.xyz * inversesqrt(dot(eye.xyz, eye.xyz));");
-        for (int face = 0; face < faces(); ++face)
+        }
+        for (int face = 0; face < faces(); ++face) {
             add_scene_color(face);
-        for (int i = 0; i < key_.light_count; ++i)
+        }
+        for (int i = 0; i < key_.light_count; ++i) {
             add_light(i);
+        }
         return text_;
     }
 
@@ -47,14 +50,16 @@ private:
     {
         using namespace lighting_layout;
         using enum MaterialProperty;
-        if (key_.follows(face, emission) || key_.follows(face, ambient) || key_.follows(face, diffuse))
+        if (key_.follows(face, emission) || key_.follows(face, ambient) || key_.follows(face, diffuse)) {
             line(primary(face) + " = vec4((" + lighting(MODEL_AMBIENT) + " * " +
                  material(face, ambient, FACE_AMBIENT) + " + " + material(face, emission, FACE_EMISSION) +
                  ").rgb, " + material(face, diffuse, FACE_DIFFUSE) + ".a);");
-        else
+        } else {
             line(primary(face) + " = " + face_value(face, SCENE_COLOR) + ";");
-        if (key_.separate_specular)
+        }
+        if (key_.separate_specular) {
             line(secondary(face) + " = vec4(0.0, 0.0, 0.0, 1.0);");
+        }
     }
 
     void add_light(int i)
@@ -76,8 +81,9 @@ private:
         add_attenuation(light, base);
         add_half_vector(i, light, base);
         line("float n_direction = dot(n, direction);");
-        for (int face = 0; face < faces(); ++face)
+        for (int face = 0; face < faces(); ++face) {
             add_face(face, base, attenuated);
+        }
         line("}");
     }
 
@@ -101,18 +107,21 @@ private:
     void add_half_vector(int i, const LightKey& light, int base)
     {
         using namespace lighting_layout;
-        if (!key_.specular)
+        if (!key_.specular) {
             return;
-        if (key_.local_viewer)
+        }
+        if (key_.local_viewer) {
             line("vec3 h = direction - eye_direction;");
-        else if (!key_.eye_space)
+        } else if (!key_.eye_space) {
             line("vec3 h = " + of_transform(layout_.object_lights + 2 * i + 1) + ".xyz;");
-        else if (!light.positional)
+        } else if (!light.positional) {
             line("vec3 h = " + lighting(base + HALF_VECTOR) + ".xyz;");
-        else
+        } else {
             line("vec3 h = direction + vec3(0.0, 0.0, 1.0);");
-        if (key_.local_viewer || light.positional)
+        }
+        if (key_.local_viewer || light.positional) {
             line("h = h * inversesqrt(dot(h, h));");
+        }
         line("float n_half = dot(n, h);");
     }
 
@@ -131,11 +140,12 @@ private:
         line("{");
         line("float x = " + sign + "n_direction;");
         line("float diffuse = max(0.0, x);");
-        if (key_.specular)
+        if (key_.specular) {
             line("float specular = 0.0 >= x ? 0.0 : pow(max(" + sign + "n_half, 0.0), " +
                  face_value(face, FACE_SHININESS) + ".x);");
-        else
+        } else {
             line("float specular = 0.0 < x ? 1.0 : 0.0;");
+        }
         if (attenuated) {
             line("diffuse = diffuse * attenuation;");
             line("specular = specular * attenuation;");
@@ -165,14 +175,16 @@ std::string normal_text(const ShaderKey& key)
 {
     const TransformLayout layout(key);
     std::string text = "    vec3 n = normal;\n";
-    if (key.eye_space)
+    if (key.eye_space) {
         text += "    n = vec3(dot(n, " + of_transform(layout.normal) + ".xyz), dot(n, " +
                 of_transform(layout.normal + 1) + ".xyz), dot(n, " + of_transform(layout.normal + 2) +
                 ".xyz));\n";
-    if (key.normalize)
+    }
+    if (key.normalize) {
         text += "    n = n * inversesqrt(dot(n, n));\n";
-    else if (key.needs_normal_scale())
+    } else if (key.needs_normal_scale()) {
         text += "    n = n * " + of_transform(layout.normal_scale) + ".x;\n";
+    }
     return text;
 }
 

@@ -21,21 +21,27 @@ std::string varyings(const ShaderKey& key, const char* direction)
     const std::string prefix = std::string(key.flat ? "flat " : "") + direction + " vec4 ";
     std::string text = prefix + "front_color;\n";
     const bool two_side = key.lighting && key.two_side;
-    if (two_side)
+    if (two_side) {
         text += prefix + "back_color;\n";
+    }
     if (key.secondary()) {
         text += prefix + "front_secondary;\n";
-        if (two_side)
+        if (two_side) {
             text += prefix + "back_secondary;\n";
+        }
     }
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (key.textures[unit].format != BaseFormat::none)
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (key.textures[unit].format != BaseFormat::none) {
             text += std::string(key.textures[unit].constant ? "flat " : "") + direction +
                     " vec4 texture_position_" + std::to_string(unit) + ";\n";
-    if (key.fog_mode)
+        }
+    }
+    if (key.fog_mode) {
         text += std::string(direction) + " float fog_distance;\n";
-    if (key.coverage != Coverage::whole)
+    }
+    if (key.coverage != Coverage::whole) {
         text += std::string(direction) + " vec4 coverage;\n";
+    }
     return text;
 }
 
@@ -64,8 +70,9 @@ std::string point_text(const ShaderKey& key, const TransformLayout& layout)
     const std::string viewport = of_transform(layout.point);
     const std::string size = key.shaded ? "extra.x" : of_transform(layout.point + 1) + ".x";
     const std::string set_size = "    gl_PointSize = " + size + ";\n";
-    if (key.shaded)
+    if (key.shaded) {
         return set_size + snapped_point_text(size, viewport);
+    }
     return set_size +
            "    vec3 limit = abs(gl_Position.xyz);\n"
            "    if (max(limit.x, max(limit.y, limit.z)) > gl_Position.w) {\n"
@@ -110,10 +117,12 @@ std::string vertex_text(const ShaderKey& key)
                        "layout(location = 6) in vec4 texture_coordinate_1;\n";
     text += "layout(location = " + std::to_string(TRANSFORM_SLOT_LOCATION) + ") in float transform_slot;\n";
     text += uniforms("transform", layout.size * layout.slots());
-    if (key.lighting)
+    if (key.lighting) {
         text += uniforms("lighting", lighting_layout::size(key.light_count));
-    if (key.textured())
+    }
+    if (key.textured()) {
         text += uniforms("texturing", texturing_layout::SIZE);
+    }
     text += varyings(key, "out");
     text += "void main()\n{\n";
     text += "    int slot = (int(transform_slot) & " + std::to_string(layout.slots() - 1) + ") * " +
@@ -121,34 +130,45 @@ std::string vertex_text(const ShaderKey& key)
     text += "    gl_Position = " +
             (key.shaded ? "position" : transform_columns_times(layout.projection_modelview, "position")) +
             ";\n";
-    if (key.needs_eye_position())
+    if (key.needs_eye_position()) {
         text += "    vec4 eye = " + transform_columns_times(layout.modelview, "position") + ";\n";
-    if (key.needs_normal())
+    }
+    if (key.needs_normal()) {
         text += normal_text(key);
+    }
     text += key.lighting ? lighting_text(key) : "    front_color = color;\n";
-    if (key.color_sum)
+    if (key.color_sum) {
         text += "    front_secondary = secondary_color;\n";
+    }
     text += clamped("front_color");
     const bool two_side = key.lighting && key.two_side;
-    if (two_side)
+    if (two_side) {
         text += clamped("back_color");
+    }
     if (key.secondary()) {
         text += clamped("front_secondary");
-        if (two_side)
+        if (two_side) {
             text += clamped("back_secondary");
+        }
     }
-    if (key.generates(GL_SPHERE_MAP))
+    if (key.generates(GL_SPHERE_MAP)) {
         text += SPHERE_TEXT;
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (key.textures[unit].format != BaseFormat::none)
+    }
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (key.textures[unit].format != BaseFormat::none) {
             text += texture_coordinate_text(key, unit);
-    if (key.fog_mode)
+        }
+    }
+    if (key.fog_mode) {
         text +=
             key.fog_coordinate ? "    fog_distance = fog_coordinate;\n" : "    fog_distance = abs(eye.z);\n";
-    if (key.coverage != Coverage::whole)
+    }
+    if (key.coverage != Coverage::whole) {
         text += "    coverage = extra;\n";
-    if (key.points)
+    }
+    if (key.points) {
         text += point_text(key, layout);
+    }
     return text + "}\n";
 }
 
@@ -158,12 +178,13 @@ std::string fog_text(const ShaderKey& key)
     using namespace fragments_layout;
     const std::string factors = at("fragments", FOG_FACTORS);
     std::string text;
-    if (key.fog_mode == GL_LINEAR)
+    if (key.fog_mode == GL_LINEAR) {
         text = "    float f = fog_distance * " + factors + ".x + " + factors + ".y;\n";
-    else if (key.fog_mode == GL_EXP)
+    } else if (key.fog_mode == GL_EXP) {
         text = "    float f = exp2(-(fog_distance * " + factors + ".z));\n";
-    else
+    } else {
         text = "    float f = fog_distance * " + factors + ".w;\n    f = exp2(-(f * f));\n";
+    }
     return text + "    f = clamp(f, 0.0, 1.0);\n    c.rgb = " + at("fragments", FOG_COLOR) +
            ".rgb * (1.0 - f) + c.rgb * f;\n";
 }
@@ -171,8 +192,9 @@ std::string fog_text(const ShaderKey& key)
 /// The alpha test (OpenGL 1.5, 4.1.4), on the alpha that a colour buffer of eight bits would hold.
 std::string alpha_text(GLenum func)
 {
-    if (func == GL_NEVER)
+    if (func == GL_NEVER) {
         return "    discard;\n";
+    }
     // GL_NEVER … GL_ALWAYS are in a row; each is the condition to go on.
     constexpr const char* conditions[] = {"<", "==", "<=", ">", "!=", ">="};
     return "    if (!(round(clamp(c.a, 0.0, 1.0) * 255.0) " + std::string(conditions[func - GL_LESS]) + " " +
@@ -195,10 +217,11 @@ std::string polygon_stipple_text()
 /// add_smooth_point() want it. A line covers no more of a pixel than it is long.
 std::string coverage_text(Coverage coverage)
 {
-    if (coverage == Coverage::line)
+    if (coverage == Coverage::line) {
         return "    c.a = c.a * (clamp(coverage.y - abs(coverage.x), 0.0, 1.0) *\n"
                "                 min(clamp(coverage.w - abs(coverage.z), 0.0, 1.0), coverage.w * 2.0 - "
                "1.0));\n";
+    }
     return "    float squared = coverage.x * coverage.x + coverage.y * coverage.y;\n"
            "    if (coverage.w < squared)\n        discard;\n"
            "    c.a = c.a * (coverage.z >= squared ? (1.0 / (coverage.w - coverage.z)) * (coverage.w - "
@@ -237,39 +260,52 @@ std::string fragment_text(const ShaderKey& key)
                        "precision highp int;\n" // Of 16 bits, by default, a stipple's half row is negative.
                        "precision highp sampler2D;\n";
     text += varyings(key, "in");
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (key.textures[unit].format != BaseFormat::none)
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (key.textures[unit].format != BaseFormat::none) {
             text += "uniform sampler2D texture_" + std::to_string(unit) + ";\n";
-    if (key.logic_op != GL_COPY)
+        }
+    }
+    if (key.logic_op != GL_COPY) {
         text += "uniform sampler2D " + target_copy_name() + ";\n";
-    if (key.textured())
+    }
+    if (key.textured()) {
         text += uniforms("texturing", texturing_layout::SIZE);
+    }
     text += uniforms("fragments", fragments_layout::size(key.polygon_stipple));
     text += key.both_buffers ? "layout(location = 0) out vec4 fragment_color;\n"
                                "layout(location = 1) out vec4 front_fragment_color;\n"
                              : "out vec4 fragment_color;\n";
     text += "void main()\n{\n";
-    if (key.polygon_stipple)
+    if (key.polygon_stipple) {
         text += polygon_stipple_text();
+    }
     text += two_side ? "    vec4 c = gl_FrontFacing ? front_color : back_color;\n"
                      : "    vec4 c = front_color;\n";
-    if (key.textured())
+    if (key.textured()) {
         text += texture_environment_text(key);
-    if (key.secondary())
+    }
+    if (key.secondary()) {
         text += two_side ? "    c.rgb += (gl_FrontFacing ? front_secondary : back_secondary).rgb;\n"
                          : "    c.rgb += front_secondary.rgb;\n";
-    if (key.fog_mode)
+    }
+    if (key.fog_mode) {
         text += fog_text(key);
-    if (key.coverage != Coverage::whole)
+    }
+    if (key.coverage != Coverage::whole) {
         text += coverage_text(key.coverage);
-    if (key.alpha_func != GL_ALWAYS)
+    }
+    if (key.alpha_func != GL_ALWAYS) {
         text += alpha_text(key.alpha_func);
-    if (key.blend_weight)
+    }
+    if (key.blend_weight) {
         text += blend_weight_text();
-    if (key.logic_op != GL_COPY)
+    }
+    if (key.logic_op != GL_COPY) {
         text += logic_op_text(key.logic_op);
-    if (key.both_buffers)
+    }
+    if (key.both_buffers) {
         text += "    front_fragment_color = c;\n";
+    }
     return text + "    fragment_color = c;\n}\n";
 }
 

@@ -31,22 +31,27 @@ std::string simple_environment(const TextureKey& key, int unit)
         break;
     case GL_DECAL:
         alpha = "c.a";
-        if (key.format == BaseFormat::rgb)
+        if (key.format == BaseFormat::rgb) {
             color = t + ".rgb";
-        else if (key.format == BaseFormat::rgba)
+        } else if (key.format == BaseFormat::rgba) {
             color = "c.rgb * (1.0 - " + t + ".a) + " + t + ".rgb * " + t + ".a";
+        }
         break;
     case GL_BLEND:
-        if (has_color)
+        if (has_color) {
             color = "c.rgb * (1.0 - " + t + ".rgb) + " + constant + ".rgb * " + t + ".rgb";
-        if (key.format == BaseFormat::intensity)
+        }
+        if (key.format == BaseFormat::intensity) {
             alpha = "c.a * (1.0 - " + t + ".a) + " + constant + ".a * " + t + ".a";
+        }
         break;
     case GL_ADD:
-        if (has_color)
+        if (has_color) {
             color = "clamp(c.rgb + " + t + ".rgb, 0.0, 1.0)";
-        if (key.format == BaseFormat::intensity)
+        }
+        if (key.format == BaseFormat::intensity) {
             alpha = "clamp(c.a + " + t + ".a, 0.0, 1.0)";
+        }
         break;
     default: // GL_MODULATE
         color = has_color ? "c.rgb * " + t + ".rgb" : color;
@@ -144,8 +149,9 @@ private:
 std::string lookup(const TextureKey& texture, int unit)
 {
     const std::string number = std::to_string(unit), place = "texture_position_" + number;
-    if (!texture.clamps())
+    if (!texture.clamps()) {
         return "textureProj(texture_" + number + ", " + place;
+    }
     const auto along = [&](std::size_t i, const char* name) {
         const std::string at = place + name + " / " + place + ".w";
         return texture.border_wrap[i] ? "clamp(" + at + ", 0.0, 1.0)" : at;
@@ -163,12 +169,13 @@ std::string texture_coordinate_text(const ShaderKey& key, int unit)
     std::string text = "    vec4 " + c + " = " + in + ";\n";
     for (int i = 0; i < 4; ++i) {
         const std::string component = c + "." + "xyzw"[i];
-        if (texture.generation[i] == GL_OBJECT_LINEAR)
+        if (texture.generation[i] == GL_OBJECT_LINEAR) {
             text += "    " + component + " = dot(position, " + texturing(unit, OBJECT_PLANES + i) + ");\n";
-        else if (texture.generation[i] == GL_EYE_LINEAR)
+        } else if (texture.generation[i] == GL_EYE_LINEAR) {
             text += "    " + component + " = dot(eye, " + texturing(unit, EYE_PLANES + i) + ");\n";
-        else if (texture.generation[i] == GL_SPHERE_MAP)
+        } else if (texture.generation[i] == GL_SPHERE_MAP) {
             text += "    " + component + " = sphere." + "xyzw"[i] + ";\n";
+        }
     }
     const std::string out = "texture_position_" + number;
     text += "    " + out + " = " +
@@ -183,17 +190,20 @@ std::string texture_coordinate_text(const ShaderKey& key, int unit)
 std::string texture_environment_text(const ShaderKey& key)
 {
     std::string text = "    vec4 primary = c;\n";
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
-        if (key.textures[unit].format != BaseFormat::none)
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
+        if (key.textures[unit].format != BaseFormat::none) {
             text += "    vec4 " + texel(unit) + " = " + lookup(key.textures[unit], unit) +
                     (key.textures[unit].lod_bias ? ", " + texturing(unit, texturing_layout::LOD_BIAS) + ".x"
                                                  : "") +
                     ");\n" + border_text(key, unit);
+        }
+    }
     for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
         const TextureKey& texture = key.textures[unit];
-        if (texture.format != BaseFormat::none)
+        if (texture.format != BaseFormat::none) {
             text += texture.environment == GL_COMBINE ? CombineText(key, unit).text()
                                                       : simple_environment(texture, unit);
+        }
     }
     return text;
 }

@@ -21,8 +21,9 @@ glm::vec4 column(const float* m, int i)
 glm::vec3 normalized(glm::vec3 v)
 {
     const float squared = v.x * v.x + v.y * v.y + v.z * v.z;
-    if (squared == 0)
+    if (squared == 0) {
         return v;
+    }
     const float reciprocal = 1.0f / std::sqrt(squared);
     return {v.x * reciprocal, v.y * reciprocal, v.z * reciprocal};
 }
@@ -30,8 +31,9 @@ glm::vec3 normalized(glm::vec3 v)
 glm::vec3 transform_point(const float* m, const glm::vec4& p)
 {
     glm::vec3 out;
-    for (int row = 0; row < 3; ++row)
+    for (int row = 0; row < 3; ++row) {
         out[row] = m[row] * p[0] + m[row + 4] * p[1] + m[row + 8] * p[2] + m[row + 12] * p[3];
+    }
     return out;
 }
 
@@ -39,12 +41,14 @@ glm::vec3 transform_point(const float* m, const glm::vec4& p)
 /// modelview that scales (OpenGL 1.5, 2.11.3).
 float normal_scale(const Matrix& modelview, bool eye_space)
 {
-    if (modelview.preserves_length())
+    if (modelview.preserves_length()) {
         return 1;
+    }
     const float* inverse = modelview.inverse();
     float f = inverse[2] * inverse[2] + inverse[6] * inverse[6] + inverse[10] * inverse[10];
-    if (f < 1e-12f)
+    if (f < 1e-12f) {
         f = 1;
+    }
     return eye_space ? 1.0f / std::sqrt(f) : std::sqrt(f);
 }
 
@@ -63,8 +67,9 @@ InfiniteLight infinite_light(glm::vec3 position, glm::vec3 towards_viewer)
 /// Returns what blending multiplies the source's colours by, in 255ths (OpenGL 1.5, table 4.2).
 glm::vec4 blend_weight(const BlendState& blend)
 {
-    if (blend.equation == GL_MIN || blend.equation == GL_MAX)
+    if (blend.equation == GL_MIN || blend.equation == GL_MAX) {
         return glm::vec4(255); // No factor counts.
+    }
     const bool by_color =
         blend.source_rgb == GL_CONSTANT_COLOR || blend.source_rgb == GL_ONE_MINUS_CONSTANT_COLOR;
     const bool complement =
@@ -91,23 +96,30 @@ void fill_transform(const State& state, const ShaderKey& key, const TransformLay
 {
     const Matrix& modelview = state.transform.modelview.top();
     const Matrix both = Matrix::product(state.transform.projection.top(), modelview);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         out[layout.projection_modelview + i] = column(both.values(), i);
-    if (layout.modelview >= 0)
-        for (int i = 0; i < 4; ++i)
+    }
+    if (layout.modelview >= 0) {
+        for (int i = 0; i < 4; ++i) {
             out[layout.modelview + i] = column(modelview.values(), i);
-    if (layout.normal >= 0)
-        for (int i = 0; i < 3; ++i)
+        }
+    }
+    if (layout.normal >= 0) {
+        for (int i = 0; i < 3; ++i) {
             out[layout.normal + i] = column(modelview.inverse(), i);
-    if (layout.normal_scale >= 0)
+        }
+    }
+    if (layout.normal_scale >= 0) {
         out[layout.normal_scale] = glm::vec4(normal_scale(modelview, key.eye_space));
+    }
     if (layout.object_lights >= 0) {
         const float* m = modelview.values();
         const glm::vec3 towards_viewer = {m[2], m[6], m[10]};
         int at = layout.object_lights;
         for (const Light& light : state.lighting.lights) {
-            if (!light.enabled)
+            if (!light.enabled) {
                 continue;
+            }
             const InfiniteLight l =
                 infinite_light(transform_point(modelview.inverse(), light.position), towards_viewer);
             out[at++] = glm::vec4(l.direction, 0);
@@ -116,11 +128,14 @@ void fill_transform(const State& state, const ShaderKey& key, const TransformLay
     }
     if (layout.point >= 0) {
         const std::array<GLint, 4>& viewport = state.transform.viewport;
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 4; ++i) {
             out[layout.point][i] = static_cast<float>(viewport[i]);
-        if (key.shaded) // They are drawn through a viewport grown to all sides.
-            for (int i = 2; i < 4; ++i)
+        }
+        if (key.shaded) { // They are drawn through a viewport grown to all sides.
+            for (int i = 2; i < 4; ++i) {
                 out[layout.point][i] += 2.0f * VIEWPORT_MARGIN;
+            }
+        }
         out[layout.point + 1] = glm::vec4(rasterised_point_size(state.raster.clamped_point_size()));
     }
 }
@@ -144,8 +159,9 @@ void fill_lighting(const LightingState& lighting, const ShaderKey& key, std::spa
 
     int at = LIGHT;
     for (const Light& light : lighting.lights) {
-        if (!light.enabled)
+        if (!light.enabled) {
             continue;
+        }
         glm::vec4* values = &out[at];
         at += LIGHT_SIZE;
         values[POSITION] = values[HALF_VECTOR] = glm::vec4(0);
@@ -162,12 +178,13 @@ void fill_lighting(const LightingState& lighting, const ShaderKey& key, std::spa
         values[ATTENUATION] = {light.attenuation[0], light.attenuation[1], light.attenuation[2],
                                light.spot_exponent};
         const glm::vec4 colors[3] = {light.ambient, light.diffuse, light.specular};
-        for (int face = 0; face < 2; ++face)
+        for (int face = 0; face < 2; ++face) {
             for (int p = 0; p < 3; ++p) {
                 const auto property = static_cast<MaterialProperty>(p);
                 values[PRODUCT + face * 3 + p] =
                     key.follows(face, property) ? colors[p] : colors[p] * lighting.materials[face][property];
             }
+        }
     }
 }
 
@@ -203,8 +220,9 @@ void fill_fragments(const State& state, glm::vec4 target_copy_origin, std::span<
     out[ALPHA_REFERENCE] = glm::vec4(std::floor(state.fragment.alpha_reference * 255.0f + 0.5f));
     out[TARGET_COPY_ORIGIN] = target_copy_origin;
     out[BLEND_WEIGHT] = blend_weight(state.fragment.blend);
-    if (out.size() <= STIPPLE)
+    if (out.size() <= STIPPLE) {
         return;
+    }
     const StippleRows& rows = state.raster.polygon_stipple.rows;
     for (std::size_t y = 0; y < rows.size(); ++y) {
         glm::vec4& values = out[STIPPLE + y / 2];

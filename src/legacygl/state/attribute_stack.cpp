@@ -12,8 +12,9 @@ namespace {
 template <class Visit> void visit_fields(State& state, GLbitfield groups, Visit visit)
 {
     visit_variables(state, [&](GLenum, GLbitfield group, const StateField& field) {
-        if (group & groups)
+        if (group & groups) {
             visit(field);
+        }
     });
     // After the whole lights and texture units, which hold their capabilities too.
     if (groups & GL_TEXTURE_BIT) {
@@ -21,20 +22,24 @@ template <class Visit> void visit_fields(State& state, GLbitfield groups, Visit 
         visit(StateField(state.texturing.active));
     }
     const auto visit_flag = [&](GLenum, GLbitfield group, std::uint32_t, bool& flag) {
-        if ((group | GL_ENABLE_BIT) & groups)
+        if ((group | GL_ENABLE_BIT) & groups) {
             visit(StateField(flag));
+        }
     };
     visit_capabilities(state, visit_flag);
-    for (TextureUnit& unit : state.texturing.units)
+    for (TextureUnit& unit : state.texturing.units) {
         visit_unit_capabilities(unit, visit_flag);
+    }
 }
 
 /// Gives the binding of every target of every unit to visit(target, name).
 template <class Visit> void visit_bindings(TexturingState& texturing, Visit visit)
 {
-    for (TextureUnit& unit : texturing.units)
-        for (int target = 0; target < TEXTURE_TARGET_COUNT; ++target)
+    for (TextureUnit& unit : texturing.units) {
+        for (int target = 0; target < TEXTURE_TARGET_COUNT; ++target) {
             visit(target, unit.bound[target]);
+        }
+    }
 }
 
 } // namespace
@@ -45,11 +50,12 @@ SavedAttributes::SavedAttributes(State& state, GLbitfield groups) : groups_(grou
         const auto* bytes = static_cast<const std::uint8_t*>(field.data);
         values_.insert(values_.end(), bytes, bytes + field.size);
     });
-    if (groups & GL_TEXTURE_BIT)
+    if (groups & GL_TEXTURE_BIT) {
         visit_bindings(state.texturing, [&](int target, GLuint name) {
             const std::shared_ptr<Texture> texture = state.texturing.named(target, name);
             textures_.push_back({name, texture, texture->parameters});
         });
+    }
 }
 
 void SavedAttributes::restore(State& state) const
@@ -59,8 +65,9 @@ void SavedAttributes::restore(State& state) const
         std::memcpy(field.data, from, field.size);
         from += field.size;
     });
-    if (groups_ & GL_TEXTURE_BIT)
+    if (groups_ & GL_TEXTURE_BIT) {
         restore_textures(state);
+    }
 }
 
 void SavedAttributes::restore_textures(State& state) const
@@ -68,8 +75,9 @@ void SavedAttributes::restore_textures(State& state) const
     auto saved = textures_.begin();
     visit_bindings(state.texturing, [&](int target, GLuint& name) {
         std::shared_ptr<Texture> texture = state.texturing.named(target, name);
-        if (!texture && !state.texturing.textures[name])
+        if (!texture && !state.texturing.textures[name]) {
             texture = state.texturing.textures[name] = saved->texture;
+        }
         if (texture) {
             texture->parameters = saved->parameters;
             texture->sampling_changed = true;

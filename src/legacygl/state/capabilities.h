@@ -8,10 +8,12 @@ namespace legacygl {
 /// Gives every capability of a texture unit to visit(name, group, change, flag), as visit_capabilities does.
 template <class Visit> void visit_unit_capabilities(TextureUnit& unit, Visit&& visit)
 {
-    for (int i = 0; i < TEXTURE_TARGET_COUNT; ++i)
+    for (int i = 0; i < TEXTURE_TARGET_COUNT; ++i) {
         visit(GL_TEXTURE_1D + i, GL_TEXTURE_BIT, change::texturing, unit.enabled[i]);
-    for (int i = 0; i < 4; ++i)
+    }
+    for (int i = 0; i < 4; ++i) {
         visit(GL_TEXTURE_GEN_S + i, GL_TEXTURE_BIT, change::texturing, unit.generation[i].enabled);
+    }
 }
 
 /// Gives every other capability to visit(name, group, change, flag): what glEnable calls it, the group of
@@ -21,13 +23,15 @@ template <class Visit> void visit_unit_capabilities(TextureUnit& unit, Visit&& v
 template <class Visit> void visit_capabilities(State& s, Visit&& visit)
 {
     visit(GL_LIGHTING, GL_LIGHTING_BIT, change::lighting, s.lighting.enabled);
-    for (int i = 0; i < LIGHT_COUNT; ++i)
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
         visit(GL_LIGHT0 + i, GL_LIGHTING_BIT, change::lighting, s.lighting.lights[i].enabled);
+    }
     visit(GL_COLOR_MATERIAL, GL_LIGHTING_BIT, change::lighting, s.lighting.color_material);
     visit(GL_NORMALIZE, GL_TRANSFORM_BIT, change::lighting, s.transform.normalize);
     visit(GL_RESCALE_NORMAL, GL_TRANSFORM_BIT, change::lighting, s.transform.rescale_normal);
-    for (int i = 0; i < CLIP_PLANE_COUNT; ++i)
+    for (int i = 0; i < CLIP_PLANE_COUNT; ++i) {
         visit(GL_CLIP_PLANE0 + i, GL_TRANSFORM_BIT, change::pipeline, s.transform.clip_planes[i].enabled);
+    }
     visit(GL_FOG, GL_FOG_BIT, change::fragments, s.fog.enabled);
     visit(GL_COLOR_SUM, GL_FOG_BIT, change::lighting, s.lighting.color_sum);
     visit(GL_CULL_FACE, GL_POLYGON_BIT, change::pipeline, s.raster.cull_face);
@@ -67,8 +71,9 @@ inline Capability find_capability(State& state, GLenum capability)
 {
     Capability found;
     const auto look = [&](GLenum name, GLbitfield, std::uint32_t change, bool& flag) {
-        if (name == capability)
+        if (name == capability) {
             found = {&flag, change};
+        }
     };
     visit_capabilities(state, look);
     visit_unit_capabilities(state.texturing.unit(), look);

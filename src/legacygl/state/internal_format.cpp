@@ -100,8 +100,9 @@ std::array<int, 4> texel_bits(GLint internal_format)
 glm::vec4 as_sampled(BaseFormat base, const glm::vec4& color)
 {
     glm::vec4 out;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         out[i] = std::clamp(color[i], 0.0f, 1.0f);
+    }
     keep_components(base, &out.x, 1.0f);
     return out;
 }

@@ -55,8 +55,9 @@ inline bool LightingState::set_material(GLenum face, GLenum name, const std::arr
     using enum MaterialProperty;
     const glm::vec4 color = {v[0], v[1], v[2], v[3]};
     for (int side = 0; side < 2; ++side) {
-        if (face == (side == 0 ? GL_BACK : GL_FRONT))
+        if (face == (side == 0 ? GL_BACK : GL_FRONT)) {
             continue;
+        }
         Material& material = materials[side];
         switch (name) {
         case GL_AMBIENT:
@@ -86,10 +87,12 @@ inline bool LightingState::set_material(GLenum face, GLenum name, const std::arr
 
 inline bool LightingState::follows_color(int face, MaterialProperty property) const
 {
-    if (!color_material)
+    if (!color_material) {
         return false;
-    if (color_material_face != GL_FRONT_AND_BACK && (color_material_face == GL_BACK) != (face == 1))
+    }
+    if (color_material_face != GL_FRONT_AND_BACK && (color_material_face == GL_BACK) != (face == 1)) {
         return false;
+    }
     switch (color_material_mode) {
     case GL_AMBIENT:
         return property == MaterialProperty::ambient;

@@ -70,6 +70,10 @@ private:
         general
     };
 
+    static constexpr std::array<float, 16> IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static constexpr std::uint32_t AFFINE =
+        rotation | translation | uniform_scale | general_scale | general_3d;
+
     void multiply(const float* values, std::uint32_t content);
     void analyse() const;
     Kind kind_from_values() const;

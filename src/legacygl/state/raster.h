@@ -8,13 +8,13 @@
 namespace legacygl {
 
 /// The greatest point size and line width, and the steps between; Mesa's software renderer has the same.
-constexpr GLfloat MAXIMUM_POINT_SIZE = 255, MAXIMUM_LINE_WIDTH = 255, SIZE_GRANULARITY = 0.1f;
+constexpr GLfloat MAX_POINT_SIZE = 255, MAX_LINE_WIDTH = 255, SIZE_GRANULARITY = 0.1f;
 
 /// How a point's size depends on its distance (OpenGL 1.5, 3.3).
 struct PointParameters
 {
     GLfloat minimum = 0;
-    GLfloat maximum = MAXIMUM_POINT_SIZE;
+    GLfloat maximum = MAX_POINT_SIZE;
     GLfloat fade_threshold = 1; ///< Only of multisampling, which no target has.
     std::array<GLfloat, 3> attenuation{1, 0, 0};
     bool attenuates() const { return attenuation != std::array<GLfloat, 3>{1, 0, 0}; }
@@ -69,7 +69,7 @@ struct RasterState
     {
         const GLfloat most = point_size > point_parameters.maximum ? point_parameters.maximum : point_size;
         const GLfloat size = most < point_parameters.minimum ? point_parameters.minimum : most;
-        return size > MAXIMUM_POINT_SIZE ? MAXIMUM_POINT_SIZE : size;
+        return size > MAX_POINT_SIZE ? MAX_POINT_SIZE : size;
     }
     /// Returns whether polygons are offset at their vertices, as Mesa does where it does any such work
     /// itself.

@@ -18,8 +18,9 @@ template <class Visit> void visit_variables(State& s, Visit&& visit)
     visit(GL_CURRENT_SECONDARY_COLOR, GL_CURRENT_BIT, Field::fraction(current(Attribute::secondary_color)));
     visit(GL_CURRENT_FOG_COORDINATE, GL_CURRENT_BIT, Field(current(Attribute::fog_coordinate).x));
     visit(GL_CURRENT_INDEX, GL_CURRENT_BIT, Field(s.color_index.current));
-    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit)
+    for (int unit = 0; unit < TEXTURE_UNIT_COUNT; ++unit) {
         visit(0, GL_CURRENT_BIT, Field(current(texture_coordinate(unit))));
+    }
 
     visit(GL_EDGE_FLAG, GL_CURRENT_BIT, Field(current(Attribute::edge_flag).x));
     visit(0, GL_TRANSFORM_BIT, Field::opaque(s.transform.clip_planes));

@@ -14,8 +14,9 @@ TextureUnit::TextureUnit()
 
 TexturingState::TexturingState()
 {
-    for (std::shared_ptr<Texture>& texture : defaults)
+    for (std::shared_ptr<Texture>& texture : defaults) {
         texture = std::make_shared<Texture>();
+    }
     defaults[static_cast<int>(TextureTarget::one_dimensional)]->target = GL_TEXTURE_1D;
 }
 
@@ -27,8 +28,9 @@ Texture& TexturingState::bound(const TextureUnit& of, TextureTarget target) cons
 
 std::shared_ptr<Texture> TexturingState::named(int target, GLuint name) const
 {
-    if (name == 0)
+    if (name == 0) {
         return defaults[target];
+    }
     const auto found = textures.find(name);
     const bool there = found != textures.end() && found->second &&
                        found->second->target == static_cast<GLenum>(GL_TEXTURE_1D + target);
@@ -37,15 +39,15 @@ std::shared_ptr<Texture> TexturingState::named(int target, GLuint name) const
 
 GLfloat TexturingState::lod_bias(const TextureUnit& unit, const Texture& texture)
 {
-    return std::clamp(unit.lod_bias + texture.parameters.lod_bias, -MAXIMUM_TEXTURE_LOD_BIAS,
-                      MAXIMUM_TEXTURE_LOD_BIAS);
+    return std::clamp(unit.lod_bias + texture.parameters.lod_bias, -MAX_LOD_BIAS, MAX_LOD_BIAS);
 }
 
 Texture* TexturingState::used(const TextureUnit& of) const
 {
     for (int target = TEXTURE_TARGET_COUNT; target-- > 0;) {
-        if (!of.enabled[target])
+        if (!of.enabled[target]) {
             continue;
+        }
         Texture& texture = bound(of, static_cast<TextureTarget>(target));
         return texture.complete() ? &texture : nullptr;
     }
@@ -63,18 +65,21 @@ bool Texture::complete() const
 {
     const TextureImage* first = base();
     const Sampling& sampling = parameters.sampling;
-    if (!first || sampling.base_level > sampling.max_level)
+    if (!first || sampling.base_level > sampling.max_level) {
         return false;
-    if (sampling.minify == GL_NEAREST || sampling.minify == GL_LINEAR)
+    }
+    if (sampling.minify == GL_NEAREST || sampling.minify == GL_LINEAR) {
         return true;
+    }
     int width = first->width, height = first->height;
     for (int level = sampling.base_level + 1; (width > 1 || height > 1) && level <= sampling.max_level;
          ++level) {
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
         if (level >= static_cast<int>(levels.size()) || levels[level].width != width ||
-            levels[level].height != height || levels[level].internal_format != first->internal_format)
+            levels[level].height != height || levels[level].internal_format != first->internal_format) {
             return false;
+        }
     }
     return true;
 }

@@ -14,7 +14,7 @@
 namespace legacygl {
 
 /// The greatest sum of a texture's and its unit's bias of the level of detail; Mesa's is the same.
-constexpr GLfloat MAXIMUM_TEXTURE_LOD_BIAS = 16;
+constexpr GLfloat MAX_LOD_BIAS = 16;
 
 /// One mipmap level, its texels as RGBA bytes as they are sampled; kept so that a lost context can be
 /// rebuilt.

@@ -24,16 +24,18 @@ public:
     /// Duplicates the top. Returns false when the stack is full.
     bool push()
     {
-        if (matrices_.size() == capacity_)
+        if (matrices_.size() == capacity_) {
             return false;
+        }
         matrices_.push_back(matrices_.back());
         return true;
     }
     /// Returns false when only one matrix is left.
     bool pop()
     {
-        if (matrices_.size() == 1)
+        if (matrices_.size() == 1) {
             return false;
+        }
         matrices_.pop_back();
         return true;
     }
@@ -69,9 +71,11 @@ struct TransformState
 
     bool clips() const
     {
-        for (const ClipPlane& plane : clip_planes)
-            if (plane.enabled)
+        for (const ClipPlane& plane : clip_planes) {
+            if (plane.enabled) {
                 return true;
+            }
+        }
         return false;
     }
 };

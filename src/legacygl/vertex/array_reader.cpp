@@ -69,21 +69,25 @@ glm::vec4 read_element(const ClientArray& array, Attribute attribute, GLint i)
     const std::uint8_t* p = nullptr;
     if (array.buffer) {
         const auto at = static_cast<std::ptrdiff_t>(reinterpret_cast<std::uintptr_t>(array.pointer)) + offset;
-        if (at < 0 || at + size > static_cast<std::ptrdiff_t>(array.buffer->bytes.size()))
+        if (at < 0 || at + size > static_cast<std::ptrdiff_t>(array.buffer->bytes.size())) {
             return value;
+        }
         p = array.buffer->bytes.data() + at;
     } else {
         p = static_cast<const std::uint8_t*>(array.pointer);
-        if (!p)
+        if (!p) {
             return value;
+        }
         p += offset;
     }
     const bool fraction = attribute == Attribute::normal || attribute == Attribute::color ||
                           attribute == Attribute::secondary_color;
-    for (int c = 0; c < array.size; ++c)
+    for (int c = 0; c < array.size; ++c) {
         value[c] = read_component(array.type, p + c * component_size, fraction);
-    if (attribute == Attribute::edge_flag)
+    }
+    if (attribute == Attribute::edge_flag) {
         value.x = value.x != 0 ? 1.0f : 0.0f;
+    }
     return value;
 }
 

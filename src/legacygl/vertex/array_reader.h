@@ -16,14 +16,16 @@ template <class Assembler> void give_element(const ClientArrays& arrays, GLint i
 {
     for (int a = ATTRIBUTE_COUNT; a-- > 0;) {
         const ClientArray& array = arrays.arrays[a];
-        if (!array.enabled)
+        if (!array.enabled) {
             continue;
+        }
         const auto attribute = static_cast<Attribute>(a);
         const glm::vec4 value = read_element(array, attribute, i);
-        if (attribute == Attribute::position)
+        if (attribute == Attribute::position) {
             to.vertex(array.size, value);
-        else
+        } else {
             to.attribute(attribute, array.size, value);
+        }
     }
 }
 

@@ -115,8 +115,9 @@ public:
     /// Takes an attribute for one that vertices get one by one.
     void set_varying(Attribute attribute)
     {
-        if (attribute == Attribute::color && !batch_.varies(attribute))
+        if (attribute == Attribute::color && !batch_.varies(attribute)) {
             batch_.colors_vary_from = static_cast<std::uint32_t>(batch_.primitives.size());
+        }
         batch_.attributes_varying |= 1u << index_of(attribute);
     }
     /// Says that the primitive's vertices come by index.
@@ -131,24 +132,27 @@ public:
     void attribute(Attribute attribute, int components, glm::vec4 value)
     {
         const int i = index_of(attribute);
-        if (components > fits_[i]) [[unlikely]]
+        if (components > fits_[i]) [[unlikely]] {
             return set(attribute, components, value.x, value.y, value.z, value.w);
+        }
         store(glm::value_ptr((*current_)[i]), four_floats(value));
     }
 
     /// Adds a vertex; `components` of its position were given, the others are the defaults.
     void vertex(int components, glm::vec4 position)
     {
-        if (room_ == 0 || components > batch_.format.components[0]) [[unlikely]]
+        if (room_ == 0 || components > batch_.format.components[0]) [[unlikely]] {
             return other_vertex(components, position.x, position.y, position.z, position.w);
+        }
         append(position);
     }
 
     /// Notes that the material changes before the next vertex. now: the materials without the change.
     void change_material(MaterialChange change, const std::array<Material, 2>& now)
     {
-        if (batch_.material_changes.empty())
+        if (batch_.material_changes.empty()) {
             batch_.materials_before = now;
+        }
         change.vertex = batch_.vertex_count;
         batch_.material_changes.push_back(change);
         batch_.changes_materials = true;
@@ -186,8 +190,9 @@ private:
         float* out = next_;
         const glm::vec4* current = current_->data();
         store(out, four_floats(position));
-        for (const Copied *copied = copied_.data(), *end = copied + copied_count_; copied != end; ++copied)
+        for (const Copied *copied = copied_.data(), *end = copied + copied_count_; copied != end; ++copied) {
             std::memcpy(out + copied->offset, current + copied->attribute, BLOCK * sizeof(float));
+        }
         next_ = out + floats_;
         --room_;
         ++batch_.vertex_count;

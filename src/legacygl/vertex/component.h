@@ -15,13 +15,14 @@ template <class T> constexpr float component(T value)
         return static_cast<float>(value);
     } else {
         using Unsigned = std::make_unsigned_t<T>;
-        constexpr double greatest = static_cast<double>(static_cast<Unsigned>(~Unsigned{0}));
-        if constexpr (sizeof(T) == 1 && std::is_unsigned_v<T>)
+        constexpr double MAX_VALUE = static_cast<double>(static_cast<Unsigned>(~Unsigned{0}));
+        if constexpr (sizeof(T) == 1 && std::is_unsigned_v<T>) {
             return static_cast<float>(value) / 255.0f;
-        else if constexpr (std::is_unsigned_v<T>)
-            return static_cast<float>(static_cast<double>(value) / greatest);
-        else
-            return static_cast<float>((2.0 * static_cast<double>(value) + 1.0) / greatest);
+        } else if constexpr (std::is_unsigned_v<T>) {
+            return static_cast<float>(static_cast<double>(value) / MAX_VALUE);
+        } else {
+            return static_cast<float>((2.0 * static_cast<double>(value) + 1.0) / MAX_VALUE);
+        }
     }
 }
 

@@ -34,9 +34,9 @@ using CurrentAttributes = std::array<glm::vec4, ATTRIBUTE_COUNT>;
 /// Returns the initial current values (OpenGL 1.5, table 6.5).
 constexpr CurrentAttributes initial_attributes()
 {
-    constexpr glm::vec4 zero = {0, 0, 0, 1};
-    return {zero, glm::vec4(0, 0, 1, 1), glm::vec4(1, 1, 1, 1), zero, glm::vec4(0, 0, 0, 1), zero,
-            zero, glm::vec4(1, 0, 0, 1)};
+    constexpr glm::vec4 ZERO = {0, 0, 0, 1};
+    return {ZERO, glm::vec4(0, 0, 1, 1), glm::vec4(1, 1, 1, 1), ZERO, glm::vec4(0, 0, 0, 1), ZERO,
+            ZERO, glm::vec4(1, 0, 0, 1)};
 }
 
 /// How many floats of each attribute a vertex holds, in the order of Attribute, interleaved.
@@ -47,16 +47,18 @@ struct VertexFormat
     int floats() const
     {
         int sum = 0;
-        for (std::uint8_t c : components)
+        for (std::uint8_t c : components) {
             sum += c;
+        }
         return sum;
     }
     /// Returns where the attribute begins, in floats from the vertex's first.
     int offset(Attribute attribute) const
     {
         int sum = 0;
-        for (int i = 0; i < index_of(attribute); ++i)
+        for (int i = 0; i < index_of(attribute); ++i) {
             sum += components[i];
+        }
         return sum;
     }
     bool has(Attribute attribute) const { return components[index_of(attribute)] != 0; }
@@ -77,6 +79,6 @@ constexpr Attribute texture_coordinate(int unit)
     return static_cast<Attribute>(index_of(Attribute::texture_coordinate_0) + unit);
 }
 
-constexpr int MAXIMUM_VERTEX_FLOATS = 4 * ATTRIBUTE_COUNT;
+constexpr int MAX_VERTEX_FLOATS = 4 * ATTRIBUTE_COUNT;
 
 } // namespace legacygl

@@ -7,7 +7,7 @@
 
 namespace legacygl {
 
-/// What of a material can vary; the order is that of the shaders' products.
+/// Material properties that can vary, in the order of the shaders' products.
 enum class MaterialProperty : std::uint8_t
 {
     ambient,

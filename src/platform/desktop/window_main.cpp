@@ -139,15 +139,15 @@ private:
 class Title
 {
 public:
-    void update(Window& window, const app::State& state, double now)
+    void update(Window& window, const app::Simulation& simulation, double now)
     {
-        if (now < next_at_ || (shown_ && shown_revision_ == state.revision.count)) {
+        if (now < next_at_ || (shown_ && shown_revision_ == simulation.revision())) {
             return;
         }
-        const std::string link = app::link(state);
+        const std::string link = app::link(simulation.state());
         window.set_title(link.empty() ? "Tank Lab" : "Tank Lab  #" + link);
         shown_ = true;
-        shown_revision_ = state.revision.count;
+        shown_revision_ = simulation.revision();
         next_at_ = now + SECONDS_BETWEEN_TITLES;
     }
 
@@ -194,7 +194,7 @@ void run_until_closed(Program& program, Window& window)
         program.advance(now - last);
         last = now;
         printer.print(program.simulation().log());
-        title.update(window, program.state(), now);
+        title.update(window, program.simulation(), now);
         if (window.has_area() && program.draw_if_changed(window.width(), window.height())) {
             window.present();
         } else {

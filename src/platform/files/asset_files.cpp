@@ -18,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// No mesh or texture comes near this; what does is not one, and must not take all memory.
-constexpr std::uintmax_t MOST_BYTES = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t MAX_BYTES = std::uintmax_t{256} << 20;
 
 /// How deep the files may lie, and among how many others.
 constexpr int DEEPEST_FOLDER = 8;
-constexpr int MOST_ENTRIES = 100'000;
+constexpr int MAX_ENTRIES = 100'000;
 
 /// Archives that a Mac has packed hold a copy of each name in here that is no copy of the file.
 constexpr std::string_view MAC_FOLDER = "__MACOSX";
@@ -40,7 +40,7 @@ std::string read_file(const fs::path& path, std::vector<std::uint8_t>& bytes)
     if (!fs::is_regular_file(path, fault)) {
         return path.string() + ": is not a file";
     }
-    if (fs::file_size(path, fault) > MOST_BYTES) {
+    if (fs::file_size(path, fault) > MAX_BYTES) {
         return path.string() + ": is too large to be read (more than 256 MB)";
     }
     errno = 0;
@@ -99,7 +99,7 @@ std::string find_wanted_files(const fs::path& folder, int depth, std::vector<fs:
 std::string read_wanted_files(const fs::path& folder, int depth, std::vector<FileContent>& files)
 {
     std::vector<fs::path> paths;
-    int entries_left = MOST_ENTRIES;
+    int entries_left = MAX_ENTRIES;
     if (std::string error = find_wanted_files(folder, depth, paths, entries_left); !error.empty()) {
         return error;
     }

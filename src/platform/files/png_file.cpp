@@ -62,8 +62,9 @@ std::string write_png(const std::string& path, int width, int height, std::span<
     }
     const std::string cause = errno != 0 ? std::strerror(errno) : "the write was cut short";
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored)) // never a device
+    if (std::filesystem::is_regular_file(path, ignored)) { // never a device
         std::filesystem::remove(path, ignored);
+    }
     return path + " could not be written whole: " + cause + ".";
 }
 

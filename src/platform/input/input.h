@@ -15,17 +15,17 @@ namespace platform {
 class Input
 {
 public:
-    /// Does what the event asks for; events that mean nothing here are ignored.
-    void handle(const SDL_Event& event, WindowSize window, app::Simulation& simulation);
+    /// Does what the event asks for and returns what happened; events that mean nothing here are ignored.
+    app::Outcome handle(const SDL_Event& event, WindowSize window, app::Simulation& simulation);
 
     /// Lets go of every key and mouse button, as if the hands had left them.
-    void release_all(app::Simulation& simulation);
+    app::Outcome release_all(app::Simulation& simulation);
 
 private:
-    void key_down(const SDL_KeyboardEvent& event, app::Simulation& simulation);
-    void key_up(const SDL_KeyboardEvent& event, app::Simulation& simulation);
+    app::Outcome key_down(const SDL_KeyboardEvent& event, app::Simulation& simulation);
+    app::Outcome key_up(const SDL_KeyboardEvent& event, app::Simulation& simulation);
     bool is_down(app::Key key) const;
-    void finger(const SDL_TouchFingerEvent& event, app::Simulation& simulation);
+    app::Outcome finger(const SDL_TouchFingerEvent& event, app::Simulation& simulation);
 
     std::bitset<SDL_NUM_SCANCODES> down_;
     Pointer pointer_;

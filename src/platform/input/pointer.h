@@ -18,8 +18,8 @@ struct WindowSize
 class Pointer
 {
 public:
-    /// Does what a mouse event asks for; other events are ignored.
-    void handle(const SDL_Event& event, WindowSize window, app::Simulation& simulation);
+    /// Does what a mouse event asks for and returns what happened; other events are ignored.
+    app::Outcome handle(const SDL_Event& event, WindowSize window, app::Simulation& simulation);
 
     /// Ends what is going on, without a click.
     void release() { drag_ = Drag::none; }
@@ -33,9 +33,10 @@ private:
         handle,
     };
 
-    void press(const SDL_MouseButtonEvent& event, WindowSize window, app::Simulation& simulation);
-    void move(const SDL_MouseMotionEvent& event, WindowSize window, app::Simulation& simulation);
-    void lift(const SDL_MouseButtonEvent& event, WindowSize window, app::Simulation& simulation);
+    app::Outcome press(const SDL_MouseButtonEvent& event, WindowSize window, app::Simulation& simulation);
+    app::Outcome move(const SDL_MouseMotionEvent& event, WindowSize window, app::Simulation& simulation);
+    app::Outcome release_over(const SDL_MouseButtonEvent& event, WindowSize window,
+                              app::Simulation& simulation);
 
     Drag drag_ = Drag::none;
     int pressed_x_ = 0;

@@ -1,5 +1,5 @@
-// Draws through the system's own OpenGL, into a framebuffer object: a pbuffer is stored upside down by
-// Mesa, and its pictures then differ from those of a framebuffer object (design.md, 11).
+// Draws through the system's own OpenGL, into a framebuffer object, as legacygl draws into one: Mesa stores a
+// pbuffer upside down, and its pictures then differ (docs/architecture.md).
 #include "platform/offscreen/egl_context.h"
 #include "platform/offscreen/offscreen_target.h"
 

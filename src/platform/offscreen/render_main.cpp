@@ -3,7 +3,7 @@
 // legacygl and the system's OpenGL define the same symbols, so there is an executable for each, from this
 // one source: `tanklab-render` and `tanklab-render-reference`. Whichever is started, the one that --renderer
 // asks for does the work.
-#include "app/report/json.h"
+#include "app/report/state_json.h"
 #include "app/simulation/simulation.h"
 #include "platform/files/asset_files.h"
 #include "platform/files/log_printer.h"

@@ -56,7 +56,7 @@ private:
     lod::PictureDifference difference()
     {
         app::Frame frame = simulation_.frame();
-        frame.tank_count = 1;
+        frame.tanks.truncate(1);
         draw(frame, lod::Level::high, high_);
         draw(frame, lod::Level::low, low_);
         frame.parts = {}; // its shadow stays

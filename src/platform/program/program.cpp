@@ -20,7 +20,7 @@ std::string Program::start(assets::Assets assets)
     return fault;
 }
 
-std::string Program::bring(assets::Assets own)
+std::string Program::set_user_tank(assets::Assets own)
 {
     auto brought = std::make_unique<const assets::Assets>(std::move(own));
     drawn_ = false;
@@ -28,15 +28,16 @@ std::string Program::bring(assets::Assets own)
         renderer_.load_tank(assets()); // it was there before
         return fault;
     }
-    simulation_->bring(brought.get());
+    simulation_->set_user_tank(brought.get());
     own_ = std::move(brought);
-    return command(app::field(app::FieldId::tank).name, static_cast<double>(app::TankShown::own));
+    return simulation_->apply(app::field(app::FieldId::tank).name, static_cast<double>(app::TankShown::own))
+        .refusal;
 }
 
-/// Gives the renderer the tank that the state asks for.
-void Program::follow_tank()
+/// Gives the renderer the tank that is shown, where that is another one.
+void Program::follow(const app::Outcome& outcome)
 {
-    if (&renderer_.assets() != &assets()) {
+    if (outcome.tank_replaced) {
         renderer_.load_tank(assets()); // OpenGL has taken it once
         drawn_ = false;
     }
@@ -49,22 +50,21 @@ std::vector<std::string> Program::open_link_with(const assets::UsersTank& tank, 
 
 std::vector<std::string> Program::open_link(std::string_view fragment)
 {
-    std::vector<std::string> messages = simulation_->open_link(fragment).messages;
-    follow_tank();
-    return messages;
+    app::LinkResult result = simulation_->open_link(fragment);
+    follow(result.outcome);
+    return std::move(result.messages);
 }
 
 std::string Program::command(std::string_view name, double value)
 {
-    std::string fault = simulation_->apply(name, value);
-    follow_tank();
-    return fault;
+    app::Outcome outcome = simulation_->apply(name, value);
+    follow(outcome);
+    return std::move(outcome.refusal);
 }
 
 void Program::handle(const SDL_Event& event, WindowSize window)
 {
-    input_.handle(event, window, *simulation_);
-    follow_tank();
+    follow(input_.handle(event, window, *simulation_));
 }
 
 void Program::advance(double seconds)
@@ -76,14 +76,14 @@ void Program::advance(double seconds)
 
 bool Program::draw_if_changed(int width, int height)
 {
-    const bool shown = drawn_ && drawn_revision_ == state().revision.count && drawn_width_ == width &&
+    const bool shown = drawn_ && drawn_revision_ == simulation_->revision() && drawn_width_ == width &&
                        drawn_height_ == height;
     if (shown) {
         return false;
     }
     renderer_.draw(simulation_->frame(), width, height);
     drawn_ = true;
-    drawn_revision_ = state().revision.count;
+    drawn_revision_ = simulation_->revision();
     drawn_width_ = width;
     drawn_height_ = height;
     return true;

@@ -36,7 +36,7 @@ public:
 
     /// Shows a tank that the user brought, in place of the one before. Returns "" or a sentence that says
     /// what OpenGL refused; nothing has changed then.
-    std::string bring(assets::Assets own);
+    std::string set_user_tank(assets::Assets own);
 
     /// Opens a fragment with the tank that start() was given: see platform::open_link_with().
     std::vector<std::string> open_link_with(const assets::UsersTank& tank, std::string_view fragment);
@@ -44,7 +44,7 @@ public:
     /// Opens a fragment and returns the messages about it, one sentence each.
     std::vector<std::string> open_link(std::string_view fragment);
 
-    /// Does a command of the table. Returns "" or a sentence that says why nothing was done.
+    /// Executes a command of the table. Returns "" or a sentence that says why nothing was done.
     std::string command(std::string_view name, double value);
 
     /// Takes one event of a window of that size.
@@ -68,7 +68,7 @@ public:
     const scene::SceneRenderer& renderer() const { return renderer_; }
 
 private:
-    void follow_tank();
+    void follow(const app::Outcome& outcome);
 
     assets::Assets lab_;
     std::unique_ptr<const assets::Assets> own_;

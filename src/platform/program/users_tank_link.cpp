@@ -7,7 +7,7 @@ std::vector<std::string> open_link_with(app::Simulation& simulation, const asset
 {
     const bool is_own = tank.data != assets::TankData::ours;
     if (is_own) {
-        simulation.bring(&simulation.assets());
+        simulation.set_user_tank(&simulation.assets());
     }
     std::vector<std::string> messages = tank.notes;
     const std::vector<std::string> of_link = simulation.open_link(fragment).messages;

@@ -1,7 +1,8 @@
 // What the page calls, as C functions of the WebAssembly module. Texts are UTF-8; a text that is returned is
 // valid until the next call. What the program calls in the page stands in web_page.cpp.
 #include "app/links/links.h"
-#include "app/report/json.h"
+#include "app/report/state_json.h"
+#include "app/report/tables_json.h"
 #include "checks/check_json.h"
 #include "platform/web/web_page.h"
 
@@ -76,6 +77,24 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_state()
                                     : app::state_json(app::State{}, nullptr));
 }
 
+/// Returns the fields as JSON (app::fields_json), or null before the start.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_fields()
+{
+    return kept(program().started() ? app::fields_json(program().state()) : "null");
+}
+
+/// Returns what shows that the task is done as JSON (app::evidence_json), or null before the start.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_evidence()
+{
+    return kept(program().started() ? app::evidence_json(program().simulation()) : "null");
+}
+
+/// Returns the report of hits as JSON (app::report_json), or null before the start.
+EMSCRIPTEN_KEEPALIVE const char* tanklab_report()
+{
+    return kept(program().started() ? app::report_json(program().simulation()) : "null");
+}
+
 /// Returns what the probe hits as JSON (app::hits_json), or null before the start.
 EMSCRIPTEN_KEEPALIVE const char* tanklab_hits()
 {
@@ -88,7 +107,7 @@ EMSCRIPTEN_KEEPALIVE const char* tanklab_commands()
     return kept(app::commands_json());
 }
 
-/// Does a command. Returns "" or a sentence that says why nothing was done.
+/// Executes a command. Returns "" or a sentence that says why nothing was done.
 EMSCRIPTEN_KEEPALIVE const char* tanklab_command(const char* name, double value)
 {
     return kept(program().started() ? program().command(name, value) : NOT_STARTED);

@@ -1,6 +1,7 @@
 #include "platform/web/web_page.h"
 
-#include "app/report/json.h"
+#include "app/report/state_json.h"
+#include "app/report/tables_json.h"
 #include "app/view/camera_view.h"
 #include "assets/users_tank.h"
 #include "checks/capture_json.h"
@@ -17,9 +18,9 @@ namespace platform {
 namespace {
 
 // clang-format off
-EM_JS(void, tell_state, (const char* json), {
-    if (Module["onStateChanged"]) {
-        Module["onStateChanged"](UTF8ToString(json));
+EM_JS(void, tell_status, (const char* json), {
+    if (Module["onStatus"]) {
+        Module["onStatus"](UTF8ToString(json));
     }
 });
 
@@ -107,7 +108,7 @@ std::string WebPage::bring_tank()
         return app::tank_brought_json(tank.error().message(), {});
     }
     const std::vector<std::string> notes = std::move(tank.value().notes);
-    const std::string fault = program_.bring(std::move(tank.value().assets));
+    const std::string fault = program_.set_user_tank(std::move(tank.value().assets));
     if (fault.empty()) {
         draw();
         report();
@@ -147,13 +148,13 @@ void WebPage::draw()
 
 void WebPage::report()
 {
-    const std::uint64_t revision = program_.state().revision.count;
+    const std::uint64_t revision = program_.simulation().revision();
     if (reported_ && reported_revision_ == revision) {
         return;
     }
     reported_ = true;
     reported_revision_ = revision;
-    tell_state(app::state_json(program_.simulation()).c_str());
+    tell_status(app::status_json(program_.simulation()).c_str());
 }
 
 void WebPage::draw_now()

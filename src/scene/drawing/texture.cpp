@@ -16,8 +16,9 @@ std::vector<std::uint8_t> as_rgba(const image::Image& image)
     const auto channels = static_cast<std::size_t>(image.channels);
     std::vector<std::uint8_t> rgba(pixel_count * 4, 255);
     for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) {
-        for (std::size_t channel = 0; channel < channels; ++channel)
+        for (std::size_t channel = 0; channel < channels; ++channel) {
             rgba[pixel * 4 + channel] = image.pixels[pixel * channels + channel];
+        }
     }
     return rgba;
 }

@@ -12,7 +12,7 @@ namespace scene {
 namespace {
 
 /// No ball is smaller than this part of the window's height, in radius.
-constexpr double LEAST_RADIUS = 0.007;
+constexpr double MIN_RADIUS = 0.007;
 
 /// The ring around a ball is so many times larger.
 constexpr double RING_TO_BALL = 2.0;
@@ -38,13 +38,13 @@ void MarkerPen::ball(Rgb colour, const glm::dvec3& centre, double radius) const
 {
     const Enabled lighting(GL_LIGHTING);
     set_colour(colour);
-    shapes_.draw_ball(centre, std::max(radius, seen_size(centre, LEAST_RADIUS)));
+    shapes_.draw_ball(centre, std::max(radius, seen_size(centre, MIN_RADIUS)));
 }
 
 void MarkerPen::ring(Rgb colour, const glm::dvec3& centre, double radius) const
 {
     set_colour(colour);
-    const double size = RING_TO_BALL * std::max(radius, seen_size(centre, LEAST_RADIUS));
+    const double size = RING_TO_BALL * std::max(radius, seen_size(centre, MIN_RADIUS));
     shapes_.draw_ring(centre, size * axes_.right, size * axes_.up);
 }
 

@@ -45,7 +45,7 @@ void draw_line(const app::ProbeInFrame& probe, const MarkerPen& pen)
 
 void draw_closest_points(const app::Frame& frame, const MarkerPen& pen)
 {
-    for (const app::ClosestPointInFrame& closest : frame.used_closest_points()) {
+    for (const app::ClosestPointInFrame& closest : frame.closest_points) {
         const Rgb colour = level_colour(closest.is_root);
         pen.line(colour, closest.point, closest.centre);
         pen.ball(colour, closest.centre, CENTRE_RADIUS);

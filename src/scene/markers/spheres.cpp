@@ -48,7 +48,7 @@ void draw_wire(const app::SphereInFrame& sphere, std::uint8_t Opacity::* use, co
 
 void draw_spheres(const app::Frame& frame, const Shapes& shapes)
 {
-    if (frame.used_spheres().empty()) {
+    if (frame.spheres.empty()) {
         return;
     }
     const Blended blended;
@@ -56,12 +56,12 @@ void draw_spheres(const app::Frame& frame, const Shapes& shapes)
     const Enabled colour_material(GL_COLOR_MATERIAL);
     const Enabled culling(GL_CULL_FACE);
     // The root contains the others: its far half is behind all of them, its near half before.
-    for (const app::SphereInFrame& sphere : frame.used_spheres()) {
+    for (const app::SphereInFrame& sphere : frame.spheres) {
         if (sphere.is_root && sphere.is_penetrated) {
             draw_side(sphere, GL_FRONT, shapes);
         }
     }
-    for (const app::SphereInFrame& sphere : frame.used_spheres()) {
+    for (const app::SphereInFrame& sphere : frame.spheres) {
         if (!sphere.is_penetrated) {
             draw_wire(sphere, &Opacity::wire, shapes);
         } else if (!sphere.is_root) {
@@ -70,7 +70,7 @@ void draw_spheres(const app::Frame& frame, const Shapes& shapes)
             draw_side(sphere, GL_BACK, shapes);
         }
     }
-    for (const app::SphereInFrame& sphere : frame.used_spheres()) {
+    for (const app::SphereInFrame& sphere : frame.spheres) {
         if (sphere.is_root && sphere.is_penetrated) {
             draw_wire(sphere, &Opacity::wire_on_face, shapes);
             draw_side(sphere, GL_BACK, shapes);

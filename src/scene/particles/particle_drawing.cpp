@@ -14,7 +14,7 @@ namespace scene {
 namespace {
 
 /// So many particles are given to OpenGL at once: enough to make a call cheap, few enough to stay in a cache.
-constexpr std::size_t MOST_AT_ONCE = 2048;
+constexpr std::size_t MAX_AT_ONCE = 2048;
 
 } // namespace
 
@@ -22,7 +22,7 @@ void ParticleDrawing::load()
 {
     dot_texture_ = upload_texture(soft_dot_image());
     streak_texture_ = upload_texture(streak_image());
-    vertices_.resize(4 * MOST_AT_ONCE);
+    vertices_.resize(4 * MAX_AT_ONCE);
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
         const std::size_t corner = i % 4; // anticlockwise from the lower left one
         vertices_[i].s = corner == 1 || corner == 2 ? 1.0f : 0.0f;
@@ -32,13 +32,13 @@ void ParticleDrawing::load()
 
 void ParticleDrawing::draw(const app::Frame& frame, int window_height) const
 {
-    if (frame.used_particles().empty()) {
+    if (frame.particles.empty()) {
         return;
     }
     const ParticleQuads quads(frame.camera, window_height);
     const Enabled texture(GL_TEXTURE_2D);
     glInterleavedArrays(GL_T2F_C4UB_V3F, 0, vertices_.data());
-    for (const particles::ParticleView& view : frame.used_particles()) {
+    for (const particles::ParticleView& view : frame.particles) {
         const Blended blended(view.blending == particles::Blending::additive ? GL_ONE
                                                                              : GL_ONE_MINUS_SRC_ALPHA);
         glBindTexture(GL_TEXTURE_2D,
@@ -53,8 +53,8 @@ void ParticleDrawing::draw(const app::Frame& frame, int window_height) const
 
 void ParticleDrawing::draw_view(const particles::ParticleView& view, const ParticleQuads& quads) const
 {
-    for (std::size_t first = 0; first < view.count(); first += MOST_AT_ONCE) {
-        const std::size_t count = std::min(MOST_AT_ONCE, view.count() - first);
+    for (std::size_t first = 0; first < view.count(); first += MAX_AT_ONCE) {
+        const std::size_t count = std::min(MAX_AT_ONCE, view.count() - first);
         for (std::size_t i = 0; i < count; ++i) {
             put(i, quads.quad(view, first + i), view.colour(first + i));
         }

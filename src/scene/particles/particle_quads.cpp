@@ -7,10 +7,10 @@
 namespace scene {
 namespace {
 
-constexpr double LEAST_WIDTH = 1.5; // pixels
+constexpr double MIN_WIDTH = 1.5; // pixels
 
 /// A streak that is shorter than this part of its width is a dot.
-constexpr float SHORTEST_STREAK = 0.05f;
+constexpr float MIN_STREAK = 0.05f;
 
 } // namespace
 
@@ -20,7 +20,7 @@ ParticleQuads::ParticleQuads(const app::CameraView& camera, int window_height) :
     right_ = glm::vec3(axes.right);
     up_ = glm::vec3(axes.up);
     forward_ = glm::vec3(axes.forward);
-    least_width_per_depth_ = static_cast<float>(LEAST_WIDTH * axes.heights_per_depth / window_height);
+    least_width_per_depth_ = static_cast<float>(MIN_WIDTH * axes.heights_per_depth / window_height);
 }
 
 ParticleQuad ParticleQuads::quad(const particles::ParticleView& view, std::size_t i) const
@@ -35,7 +35,7 @@ ParticleQuad ParticleQuads::quad(const particles::ParticleView& view, std::size_
         const glm::vec3 side = glm::cross(way, eye_ - head);
         const float length = glm::length(way);
         const float side_length = glm::length(side);
-        if (length > SHORTEST_STREAK * width && side_length > 0.0f) {
+        if (length > MIN_STREAK * width && side_length > 0.0f) {
             quad.centre = head - 0.5f * way;
             quad.across = side * (0.5f * width / side_length);
             quad.along = way * (0.5f + 0.5f * width / length);

@@ -17,13 +17,13 @@ namespace {
 /// hidden it is dark, where some are it is half dark: the edge is soft. Beyond this distance of the eye,
 /// metres, the edge is only a few pixels wide, and fewer layers are enough: each of them draws the whole
 /// tank.
-constexpr int MOST_LAYERS = 8;
+constexpr int MAX_LAYERS = 8;
 constexpr double ALL_LAYERS_WITHIN = 25.0;
 
 int layer_count(const app::CameraView& camera)
 {
     const double distance = glm::distance(camera.eye, camera.centre);
-    return static_cast<int>(std::ceil(MOST_LAYERS * std::min(1.0, ALL_LAYERS_WITHIN / distance)));
+    return static_cast<int>(std::ceil(MAX_LAYERS * std::min(1.0, ALL_LAYERS_WITHIN / distance)));
 }
 
 /// The suns stand in a disc that looks so wide: this much to each side of its middle, in metres on the ground
@@ -82,7 +82,7 @@ bool has_stencil()
 {
     GLint bits = 0;
     glGetIntegerv(GL_STENCIL_BITS, &bits);
-    return bits >= 4; // MOST_LAYERS are counted in it
+    return bits >= 4; // MAX_LAYERS are counted in it
 }
 
 /// Lets the stencil pass each pixel once for every layer: it holds the last layer that has darkened it.
@@ -127,7 +127,7 @@ void draw_shadow(const app::Frame& frame, const assets::Assets& assets, const Ta
         once.begin(layer);
         const PushedMatrix matrix;
         project_on_ground(slope_of(layer, layers));
-        for (const app::TankInFrame& tank : frame.used_tanks()) {
+        for (const app::TankInFrame& tank : frame.tanks) {
             const TankDrawing drawing(lists, assets.layout_of(shadow_level(assets)), tank.joints,
                                       frame.parts);
             const glm::vec3 position(tank.position);

@@ -70,7 +70,7 @@ void Surroundings::draw_ground(const app::Frame& frame) const
     if (frame.wireframe || !frame.parts.contains(tank::index_of(tank::Part::body))) {
         return; // no hull stands over the ground
     }
-    for (const app::TankInFrame& tank : frame.used_tanks()) {
+    for (const app::TankInFrame& tank : frame.tanks) {
         const PushedMatrix matrix;
         glTranslated(tank.position.x, tank.position.y, tank.position.z);
         glRotatef(degrees(tank.joints[tank::Joint::heading]), 0.0f, 1.0f, 0.0f);

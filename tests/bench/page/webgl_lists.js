@@ -20,7 +20,10 @@ const VERTICES = 36;
 
 function multiply(out, a, b, at) {
   for (let column = 0; column < 16; column += 4) {
-    const x = b[at + column], y = b[at + column + 1], z = b[at + column + 2], w = b[at + column + 3];
+    const x = b[at + column];
+    const y = b[at + column + 1];
+    const z = b[at + column + 2];
+    const w = b[at + column + 3];
     out[column] = a[0] * x + a[4] * y + a[8] * z + a[12] * w;
     out[column + 1] = a[1] * x + a[5] * y + a[9] * z + a[13] * w;
     out[column + 2] = a[2] * x + a[6] * y + a[10] * z + a[14] * w;
@@ -30,14 +33,19 @@ function multiply(out, a, b, at) {
 
 function makeProgram(gl) {
   const program = gl.createProgram();
-  for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+  for (const [kind, text] of [
+    [gl.VERTEX_SHADER, VERTEX],
+    [gl.FRAGMENT_SHADER, FRAGMENT],
+  ]) {
     const shader = gl.createShader(kind);
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
     gl.attachShader(program, shader);
   }
   gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+    throw new Error(gl.getProgramInfoLog(program));
+  }
   return program;
 }
 
@@ -52,7 +60,10 @@ export function webglLists(gl, meshes, matrices) {
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, mesh, gl.STATIC_DRAW);
-    for (const [location, offset] of [[0, 0], [1, 12]]) {
+    for (const [location, offset] of [
+      [0, 0],
+      [1, 12],
+    ]) {
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, 3, gl.FLOAT, false, 24, offset);
     }
@@ -61,9 +72,13 @@ export function webglLists(gl, meshes, matrices) {
   gl.enable(gl.DEPTH_TEST);
   gl.clearColor(0.1, 0.1, 0.2, 1);
   const projection = new Float32Array([2, 0, 0, 0, 0, 2, 0, 0, 0, 0, -62 / 58, -1, 0, 0, -240 / 58, 0]);
-  const camera = new Float32Array(16), view = new Float32Array(16), combined = new Float32Array(16);
+  const camera = new Float32Array(16);
+  const view = new Float32Array(16);
+  const combined = new Float32Array(16);
   return (number) => {
-    const angle = (number * Math.PI) / 180, s = Math.sin(angle), c = Math.cos(angle);
+    const angle = (number * Math.PI) / 180;
+    const s = Math.sin(angle);
+    const c = Math.cos(angle);
     view.set([c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, -30, 1]);
     multiply(camera, projection, view, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);

@@ -25,8 +25,9 @@ std::string drawn(const random_gl::Program& program, const std::vector<std::size
 {
     std::string error;
     const auto target = platform::open_offscreen_target(SIZE, SIZE, error);
-    if (!target)
+    if (!target) {
         return error;
+    }
     const oracle::Drawn drawn =
         oracle::draw({"", [&] { oracle::fuzz::run(program, kept); }, {}, {SIZE, SIZE}});
     return std::string(drawn.rgba.begin(), drawn.rgba.end()) + drawn.told;
@@ -58,8 +59,9 @@ int main()
         words >> seed;
         const random_gl::Program program = oracle::fuzz::make_program(seed);
         std::vector<std::size_t> kept;
-        for (std::size_t i; words >> i;)
+        for (std::size_t i; words >> i;) {
             kept.push_back(i);
+        }
         answer(drawn(program, kept.empty() ? oracle::fuzz::all(program) : kept));
     }
     return 0;

@@ -14,8 +14,9 @@ void Drawer::start()
     std::signal(SIGPIPE, SIG_IGN);
     int wishes[2], answers[2];
     // Closed in the programs started, or another one would keep this one's input open.
-    if (pipe2(wishes, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0)
+    if (pipe2(wishes, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0) {
         std::abort();
+    }
     process_ = fork();
     if (process_ == 0) {
         dup2(wishes[0], STDIN_FILENO);
@@ -31,8 +32,9 @@ void Drawer::start()
 
 void Drawer::stop()
 {
-    if (process_ < 0)
+    if (process_ < 0) {
         return;
+    }
     std::fclose(to_);
     std::fclose(from_);
     waitpid(process_, nullptr, 0);
@@ -41,19 +43,22 @@ void Drawer::stop()
 
 void Drawer::ask(unsigned seed, const std::vector<std::size_t>& kept)
 {
-    if (process_ < 0)
+    if (process_ < 0) {
         start();
+    }
     std::fprintf(to_, "%u", seed);
-    for (const std::size_t i : kept)
+    for (const std::size_t i : kept) {
         std::fprintf(to_, " %zu", i);
+    }
     std::fprintf(to_, "\n");
     std::fflush(to_);
 }
 
 void Drawer::ask_version()
 {
-    if (process_ < 0)
+    if (process_ < 0) {
         start();
+    }
     std::fprintf(to_, "version\n");
     std::fflush(to_);
 }

@@ -46,8 +46,9 @@ private:
     static PictureDifference compare(const std::string& a, const std::string& b)
     {
         constexpr std::size_t BYTES = static_cast<std::size_t>(oracle::fuzz::SIZE) * oracle::fuzz::SIZE * 4;
-        if (a.size() < BYTES || b.size() < BYTES)
+        if (a.size() < BYTES || b.size() < BYTES) {
             return {-1, -1, 255, false};
+        }
         PictureDifference difference = oracle::difference(a.substr(0, BYTES), b.substr(0, BYTES));
         difference.told = a.substr(BYTES) != b.substr(BYTES);
         return difference;
@@ -58,8 +59,9 @@ private:
 
 void print(const random_gl::Program& program, const std::vector<std::size_t>& kept)
 {
-    for (const std::size_t i : kept)
+    for (const std::size_t i : kept) {
         std::printf("    %s\n", program.commands()[i].text.c_str());
+    }
 }
 
 void say(unsigned seed, const PictureDifference& d)
@@ -89,8 +91,9 @@ std::vector<std::size_t> shrunk(Comparison& comparison, unsigned seed, const ran
                 less = true;
             }
         }
-        if (chunk > 1 || !less)
+        if (chunk > 1 || !less) {
             chunk /= 2;
+        }
     }
     return kept;
 }
@@ -103,11 +106,13 @@ int sweep(Comparison& comparison, unsigned first, unsigned count, bool shrinks)
         const PictureDifference d = comparison.of(seed, oracle::fuzz::all(program));
         identical += !d.differs();
         within_two += d.differs() && d.visible == 0 && !d.told;
-        if (!d.differs())
+        if (!d.differs()) {
             continue;
+        }
         say(seed, d);
-        if (!shrinks)
+        if (!shrinks) {
             continue;
+        }
         const std::vector<std::size_t> kept = shrunk(comparison, seed, program);
         say(seed, comparison.of(seed, kept));
         print(program, kept);
@@ -123,14 +128,16 @@ bool holds(unsigned seed, const PictureDifference& d, int version)
         std::find_if(oracle::fuzz::EXCEPTIONS.begin(), oracle::fuzz::EXCEPTIONS.end(),
                      [&](const auto& e) { return e.seed == seed && e.versions.contain(version); });
     if (exception == oracle::fuzz::EXCEPTIONS.end()) {
-        if (d.differs())
+        if (d.differs()) {
             say(seed, d);
+        }
         return !d.differs();
     }
-    if (!d.differs())
+    if (!d.differs()) {
         std::printf("seed %u: the exception is not needed any more, remove it: %s\n", seed, exception->why);
-    else if (d.pixels > exception->pixels || d.told)
+    } else if (d.pixels > exception->pixels || d.told) {
         say(seed, d);
+    }
     return d.differs() && d.pixels <= exception->pixels && !d.told;
 }
 
@@ -167,7 +174,8 @@ int main(int argc, char** argv)
         return 0;
     }
     Comparison comparison(folder_of(argv[0]));
-    if (option == "--test")
+    if (option == "--test") {
         return test(comparison);
+    }
     return sweep(comparison, first, number(numbers + 1, option.empty() ? 200 : 1), option == "--shrink");
 }

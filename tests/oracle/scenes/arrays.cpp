@@ -54,8 +54,9 @@ SCENE(array_elements_between_begin_and_end)
     two_dimensions();
     arrays();
     glBegin(GL_TRIANGLES);
-    for (GLushort i : indices)
+    for (GLushort i : indices) {
         glArrayElement(i);
+    }
     glEnd();
 }
 
@@ -83,8 +84,9 @@ SCENE(arrays_in_a_list_are_copied)
     glColor3f(0.4f, 0.9f, 0.4f);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glEndList();
-    for (GLshort& m : moving)
+    for (GLshort& m : moving) {
         m = 0;
+    }
     glDisableClientState(GL_VERTEX_ARRAY);
     glCallList(1);
     glTranslatef(5, 2, 0);

@@ -149,8 +149,9 @@ void set_units(bool b)
     for (int unit = 0; unit < 2; ++unit) {
         const bool on = b != (unit == 1);
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        for (GLenum capability : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_Q})
+        for (GLenum capability : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_Q}) {
             on ? glEnable(capability) : glDisable(capability);
+        }
         glBindTexture(GL_TEXTURE_2D, on ? 2 : 1);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, on ? GL_NEAREST : GL_LINEAR);
     }
@@ -204,8 +205,9 @@ void set_lighting(bool b)
 /// Sets all of it to one of two sets of values, the same or not as before in no variable.
 void set_everything(bool b)
 {
-    for (GLenum capability : CAPABILITIES)
+    for (GLenum capability : CAPABILITIES) {
         b ? glEnable(capability) : glDisable(capability);
+    }
     set_lighting(b);
     set_fragments(b);
     set_units(b);
@@ -226,8 +228,9 @@ void set_everything(bool b)
     glDepthRange(b ? 0.25 : 0.5, b ? 1.0 : 0.75);
     for (GLenum hint :
          {GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT, GL_POLYGON_SMOOTH_HINT,
-          GL_FOG_HINT, GL_GENERATE_MIPMAP_HINT, GL_TEXTURE_COMPRESSION_HINT})
+          GL_FOG_HINT, GL_GENERATE_MIPMAP_HINT, GL_TEXTURE_COMPRESSION_HINT}) {
         glHint(hint, b ? GL_NICEST : GL_FASTEST);
+    }
     glListBase(b ? 100 : 200);
 }
 
@@ -236,8 +239,9 @@ std::string values(const Variable& variable)
     GLfloat v[4] = {};
     glGetFloatv(variable.name, v);
     std::string text;
-    for (int i = 0; i < variable.count; ++i)
+    for (int i = 0; i < variable.count; ++i) {
         text += " " + std::to_string(v[i]);
+    }
     return text;
 }
 
@@ -263,9 +267,11 @@ bool mesa_forgets(GLbitfield group, GLenum name)
 
 void tell_everything(GLbitfield group)
 {
-    for (const Variable& variable : variables())
-        if (!mesa_forgets(group, variable.name))
+    for (const Variable& variable : variables()) {
+        if (!mesa_forgets(group, variable.name)) {
             tell(std::to_string(variable.name) + values(variable));
+        }
+    }
     tell_error("all asked");
 }
 
@@ -316,8 +322,9 @@ SCENE(attribute_stack_depth_and_errors)
     glPopAttrib();
     glPopClientAttrib();
     tell_error("client pop of none");
-    for (int i = 0; i < 17; ++i)
+    for (int i = 0; i < 17; ++i) {
         glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    }
     tell_error("client pushes");
     TELL_STATE(GL_CLIENT_ATTRIB_STACK_DEPTH, 1);
     TELL_STATE(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, 1);

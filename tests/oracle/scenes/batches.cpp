@@ -50,11 +50,13 @@ SCENE(colors_with_alpha_after_colors_without)
         glTranslatef(static_cast<float>(i) * 1.8f + 0.5f, 1, 0);
         glScalef(3, 8, 1);
         colorful_triangle();
-        if (i % 2 == 0)
+        if (i % 2 == 0) {
             glColor4f(1, 1, 0, 0.3f);
+        }
         glBegin(GL_QUADS);
-        if (i % 2 == 1)
+        if (i % 2 == 1) {
             glColor4f(0, 1, 1, 0.2f + 0.1f * static_cast<float>(i));
+        }
         glVertex2f(0, 0.1f);
         glVertex2f(0.7f, 0.1f);
         glVertex2f(0.7f, 0.8f);
@@ -123,10 +125,11 @@ SCENE(lists_and_immediate_mode_take_turns)
         glTranslatef(2.5f, static_cast<float>(i % 3) - 1, 0);
         glScalef(0.3f, 0.3f, 0.3f);
         glColor3f(static_cast<float>(i % 4) / 4, 0.6f, 0.9f);
-        if (i % 3 == 2)
+        if (i % 3 == 2) {
             cube();
-        else
+        } else {
             glCallList(list);
+        }
         glPopMatrix();
     }
     glDeleteLists(list, 1);

@@ -105,8 +105,9 @@ SCENE(clipped_points_and_lines)
     plane(2, -1, 0.5, 0, 9.1);
     glPointSize(4);
     glBegin(GL_POINTS);
-    for (int i = 0; i < 16 * 12; ++i)
+    for (int i = 0; i < 16 * 12; ++i) {
         glVertex2i(i % 16, i / 16);
+    }
     glEnd();
     glBegin(GL_LINE_STRIP);
     for (int i = 0; i < 40; ++i) {
@@ -143,8 +144,9 @@ SCENE(clip_plane_is_transformed_when_given)
     for (int p = 0; p < 2; ++p) {
         GLdouble equation[4] = {9, 9, 9, 9};
         glGetClipPlane(GL_CLIP_PLANE0 + static_cast<GLenum>(p), equation);
-        for (const double e : equation)
+        for (const double e : equation) {
             tell(std::to_string(static_cast<float>(e)));
+        }
     }
 }
 

@@ -9,7 +9,7 @@ void torus(float large, float small, int sides, int rings)
     const double turn = 2 * 3.14159265358979323846;
     for (int ring = 0; ring < rings; ++ring) {
         glBegin(GL_TRIANGLE_STRIP);
-        for (int side = 0; side <= sides; ++side)
+        for (int side = 0; side <= sides; ++side) {
             for (int r = 0; r < 2; ++r) {
                 const double around = turn * (ring + r) / rings, across = -turn * side / sides;
                 const double cx = std::cos(around), cz = std::sin(around);
@@ -19,6 +19,7 @@ void torus(float large, float small, int sides, int rings)
                 glNormal3d(cx * out, up, cz * out);
                 glVertex3d(cx * radius, static_cast<double>(small) * up, cz * radius);
             }
+        }
         glEnd();
     }
 }

@@ -41,13 +41,16 @@ void depths_and_stencils()
 template <class T> void tell_read(const char* what, GLenum format, GLenum type)
 {
     std::vector<T> values(std::size_t{16} * 12);
-    for (int y = 0; y < 12; ++y) // A pixel of each field of the drawing.
-        for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 12; ++y) { // A pixel of each field of the drawing.
+        for (int x = 0; x < 16; ++x) {
             glReadPixels(10 * x + 5, 10 * y + 5, 1, 1, format, type, &values[16 * y + x]);
+        }
+    }
     for (int y = 0; y < 12; ++y) {
         std::string line = what;
-        for (int x = 0; x < 16; ++x)
+        for (int x = 0; x < 16; ++x) {
             line += " " + std::to_string(values[16 * y + x]);
+        }
         tell(line);
     }
 }
@@ -85,8 +88,9 @@ SCENE(depths_are_packed_as_pixels_are_stored)
     glReadPixels(-2, -1, 16, 12, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, values.data());
     for (int y = 0; y < 14; ++y) {
         std::string line = "row";
-        for (int x = 0; x < 20; ++x)
+        for (int x = 0; x < 20; ++x) {
             line += " " + std::to_string(values[20 * y + x]);
+        }
         tell(line);
     }
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
@@ -136,16 +140,17 @@ SCENE(blend_equations_of_colours_and_alpha)
     glClear(GL_COLOR_BUFFER_BIT);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE);
-    constexpr GLenum equations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
+    constexpr GLenum EQUATIONS[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
     glMatrixMode(GL_PROJECTION);
     glOrtho(0, 5, 0, 5, -1, 1);
     glColor4f(0.8f, 0.2f, 0.6f, 0.5f);
-    for (int y = 0; y < 5; ++y)
+    for (int y = 0; y < 5; ++y) {
         for (int x = 0; x < 5; ++x) {
-            glBlendEquationSeparate(equations[x], equations[y]);
+            glBlendEquationSeparate(EQUATIONS[x], EQUATIONS[y]);
             glRectf(static_cast<float>(x) + 0.1f, static_cast<float>(y) + 0.1f, static_cast<float>(x) + 0.9f,
                     static_cast<float>(y) + 0.9f);
         }
+    }
     GLint rgb = 0, alpha = 0;
     glBlendEquationSeparate(GL_MIN, GL_FUNC_SUBTRACT);
     glBlendEquationSeparate(GL_ONE, GL_FUNC_ADD);

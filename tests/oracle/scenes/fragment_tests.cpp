@@ -10,8 +10,9 @@ namespace {
 void rectangle(float x, float y, float width, float height)
 {
     glBegin(GL_TRIANGLE_STRIP);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         glVertex2f(x + (i % 2 ? width : 0), y + (i / 2 ? height : 0));
+    }
     glEnd();
 }
 

@@ -9,8 +9,9 @@ namespace {
 void rectangle(float x, float y, float width, float height, float z)
 {
     glBegin(GL_TRIANGLE_STRIP);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         glVertex3f(x + (i % 2 ? width : 0), y + (i / 2 ? height : 0), z);
+    }
     glEnd();
 }
 
@@ -75,7 +76,7 @@ SCENE(cull_and_front_face)
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     const GLenum faces[] = {GL_BACK, GL_FRONT, GL_FRONT_AND_BACK};
-    for (int face = 0; face < 3; ++face)
+    for (int face = 0; face < 3; ++face) {
         for (int winding = 0; winding < 2; ++winding) {
             glCullFace(faces[face]);
             glFrontFace(winding ? GL_CW : GL_CCW);
@@ -86,6 +87,7 @@ SCENE(cull_and_front_face)
             cube();
             glPopMatrix();
         }
+    }
 }
 
 SCENE(colour_mask_and_clear)
@@ -127,8 +129,9 @@ SCENE(matrix_stacks_and_their_errors)
     };
     glPopMatrix();
     error("pop of the last");
-    for (int i = 0; i < 31; ++i)
+    for (int i = 0; i < 31; ++i) {
         glPushMatrix();
+    }
     error("31 pushes");
     glPushMatrix();
     error("one too many");
@@ -153,6 +156,7 @@ SCENE(matrix_stacks_and_their_errors)
     glTranslatef(1, 2, 3);
     glScalef(2, 2, 2);
     glGetFloatv(GL_MODELVIEW_MATRIX, matrix);
-    for (float m : matrix)
+    for (float m : matrix) {
         tell(std::to_string(m));
+    }
 }

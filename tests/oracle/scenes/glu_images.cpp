@@ -18,12 +18,15 @@ namespace {
 std::vector<GLubyte> picture(int width, int height, int components)
 {
     std::vector<GLubyte> pixels;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < components; ++c)
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            for (int c = 0; c < components; ++c) {
                 pixels.push_back(static_cast<GLubyte>((x / 3 + y / 5) % 2 == 0
                                                           ? 40 + (17 * x + 29 * y + 61 * c) % 200
                                                           : 60 * c + 5 * ((x + y) % 12)));
+            }
+        }
+    }
     return pixels;
 }
 
@@ -91,12 +94,13 @@ void scale(const char* what, GLenum format, int components, GLenum in_type, GLen
            int height, int new_width, int new_height)
 {
     std::vector<In> in;
-    for (const GLubyte value : picture(width, height, components))
+    for (const GLubyte value : picture(width, height, components)) {
         in.push_back(in_type == GL_FLOAT ? static_cast<In>(value) / 255
                                          : static_cast<In>(static_cast<double>(value) / 255 *
                                                            (sizeof(In) == 1   ? 127
                                                             : sizeof(In) == 2 ? 32767
                                                                               : 2147483647)));
+    }
     std::vector<Out> out(static_cast<std::size_t>(new_width) * new_height * components);
     const GLint result =
         gluScaleImage(format, width, height, in_type, in.data(), new_width, new_height, out_type, out.data());
@@ -210,9 +214,10 @@ SCENE(glu_mipmaps_of_some_levels)
     tell(std::to_string(gluBuild2DMipmapLevels(GL_TEXTURE_2D, GL_RGB, 16, 16, GL_RGB, GL_UNSIGNED_BYTE, 1, 2,
                                                3, other.data())));
     const int bad[][3] = {{1, 0, 3}, {0, -1, 3}, {1, 3, 2}, {1, 2, 6}, {-1, 0, 0}};
-    for (const int* levels : bad)
+    for (const int* levels : bad) {
         tell(std::to_string(gluBuild2DMipmapLevels(GL_TEXTURE_2D, GL_RGB, 16, 16, GL_RGB, GL_UNSIGNED_BYTE,
                                                    levels[0], levels[1], levels[2], other.data())));
+    }
     tell(std::to_string(gluBuild2DMipmapLevels(GL_TEXTURE_2D, GL_RGB, 15, 15, GL_RGB, GL_UNSIGNED_BYTE, 0, 0,
                                                0, other.data())));
     every_level(32, 32);
@@ -329,6 +334,7 @@ SCENE(glu_scaled_part_into_a_part)
     tell(std::to_string(
         gluScaleImage(GL_RGB, 11, 9, GL_UNSIGNED_BYTE, in.data(), 7, 12, GL_UNSIGNED_BYTE, out.data())));
     tell(text_of(out));
-    for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS})
+    for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS}) {
         glPixelStorei(name, 0);
+    }
 }

@@ -25,9 +25,10 @@ void tell_matrix(const char* what, GLenum name)
 {
     GLfloat m[16];
     glGetFloatv(name, m);
-    for (int row = 0; row < 4; ++row)
+    for (int row = 0; row < 4; ++row) {
         tell_numbers(what, {static_cast<double>(m[row]), static_cast<double>(m[row + 4]),
                             static_cast<double>(m[row + 8]), static_cast<double>(m[row + 12])});
+    }
 }
 
 void load_identity(GLenum mode)
@@ -154,13 +155,16 @@ SCENE(glu_strings)
     for (const GLenum code :
          {GL_NO_ERROR, GL_INVALID_ENUM, GL_INVALID_VALUE, GL_INVALID_OPERATION, GL_STACK_OVERFLOW,
           GL_STACK_UNDERFLOW, GL_OUT_OF_MEMORY, GL_TABLE_TOO_LARGE, GLU_INVALID_ENUM, GLU_INVALID_VALUE,
-          GLU_OUT_OF_MEMORY, GLU_INCOMPATIBLE_GL_VERSION, GLU_INVALID_OPERATION})
+          GLU_OUT_OF_MEMORY, GLU_INCOMPATIBLE_GL_VERSION, GLU_INVALID_OPERATION}) {
         tell(reinterpret_cast<const char*>(gluErrorString(static_cast<GLenum>(code))));
+    }
     tell(gluErrorString(1) ? "text" : "none");
     tell(reinterpret_cast<const char*>(gluGetString(GLU_VERSION)));
     tell(gluGetString(GL_VERSION) ? "text" : "none");
-    for (const char* name : {"GL_a", "GL_ab", "", "GL_a GL_b", "GL_c"})
-        for (const char* list : {"GL_a GL_b", "GL_ab", "GL_ab GL_a ", "", "GL_b GL_c", "  GL_c"})
+    for (const char* name : {"GL_a", "GL_ab", "", "GL_a GL_b", "GL_c"}) {
+        for (const char* list : {"GL_a GL_b", "GL_ab", "GL_ab GL_a ", "", "GL_b GL_c", "  GL_c"}) {
             tell(std::to_string(gluCheckExtension(reinterpret_cast<const GLubyte*>(name),
                                                   reinterpret_cast<const GLubyte*>(list))));
+        }
+    }
 }

@@ -12,13 +12,14 @@ namespace {
 void checker()
 {
     GLubyte pixels[8][8][3];
-    for (int y = 0; y < 8; ++y)
+    for (int y = 0; y < 8; ++y) {
         for (int x = 0; x < 8; ++x) {
             const bool light = (x + y) % 2 == 0;
             pixels[y][x][0] = static_cast<GLubyte>(light ? 255 : 60 + 20 * x);
             pixels[y][x][1] = static_cast<GLubyte>(light ? 200 : 40);
             pixels[y][x][2] = static_cast<GLubyte>(light ? 30 * y : 160);
         }
+    }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 8, 8, 0, GL_RGB, GL_UNSIGNED_BYTE, pixels);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -82,7 +83,7 @@ void grid(Shape shape, GLenum style)
     GLUquadric* quadric = gluNewQuadric();
     gluQuadricDrawStyle(quadric, style);
     const GLenum normals[] = {GLU_SMOOTH, GLU_FLAT, GLU_NONE};
-    for (int row = 0; row < 3; ++row)
+    for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) {
             tile(column, row);
             const bool flat = normals[row] == GLU_FLAT, textured = column >= 2;
@@ -98,6 +99,7 @@ void grid(Shape shape, GLenum style)
             gluQuadricTexture(quadric, textured);
             shape(quadric);
         }
+    }
     gluDeleteQuadric(quadric);
 }
 

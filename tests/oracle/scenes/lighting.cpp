@@ -107,9 +107,10 @@ SCENE(light_spot)
 SCENE(light_eight)
 {
     lit();
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < 8; ++i) {
         light(GL_LIGHT0 + static_cast<GLenum>(i), static_cast<GLfloat>(i) - 3.5f, 2, 2, i % 2 ? 1.0f : 0.0f,
               0.1f * static_cast<GLfloat>(i), 0.3f, 0.5f - 0.05f * static_cast<GLfloat>(i));
+    }
     tilted_torus();
 }
 

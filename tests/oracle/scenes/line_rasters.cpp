@@ -67,11 +67,13 @@ SCENE(red_book_lines)
     glLineWidth(1);
     glLineStipple(1, 0x1c47);
     glBegin(GL_LINE_STRIP);
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 7; ++i) {
         glVertex2f(20.0f + static_cast<float>(i) * 20.0f, 60);
+    }
     glEnd();
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i) {
         one_line(20.0f + static_cast<float>(i) * 20.0f, 40, 20.0f + static_cast<float>(i + 1) * 20.0f, 40);
+    }
     glLineStipple(5, 0x1c47);
     one_line(20, 20, 140, 20);
     glDisable(GL_LINE_STIPPLE);

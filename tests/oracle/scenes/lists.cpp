@@ -11,8 +11,9 @@ SCENE(handout_floor_cube_and_ball)
     glNewList(first, GL_COMPILE);
     glColor3f(0.4f, 0.4f, 0.4f);
     glBegin(GL_TRIANGLE_STRIP);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         glVertex3f(i % 2 ? 3.0f : -3.0f, -1, i / 2 ? -3.0f : 3.0f);
+    }
     glEnd();
     glEndList();
     glNewList(first + 1, GL_COMPILE);
@@ -155,10 +156,12 @@ SCENE(list_of_state_matrices_and_materials)
     glPopMatrix();
     glDisable(GL_LIGHTING);
     glEndList();
-    for (int i = 0; i < 4; ++i) // What pointers point to was copied.
+    for (int i = 0; i < 4; ++i) { // What pointers point to was copied.
         color[i] = position[i] = 0;
-    for (double& m : matrix)
+    }
+    for (double& m : matrix) {
         m = 0;
+    }
     glCallList(list);
     glTranslatef(-1.5f, 0, 0);
     glCallList(list);

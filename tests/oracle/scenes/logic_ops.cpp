@@ -53,8 +53,9 @@ SCENE(inverted_primitives_that_overlap)
     glEnable(GL_COLOR_LOGIC_OP);
     glLogicOp(GL_INVERT);
     glBegin(GL_TRIANGLES);
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 9; ++i) {
         glVertex2f(1.0f + 1.5f * static_cast<float>(i), i % 3 == 1 ? 11.0f : 1.0f);
+    }
     glEnd();
     glLineWidth(5);
     glPointSize(12);

@@ -35,8 +35,9 @@ void cube_of_materials(bool per_vertex)
         glNormal3fv(n);
         for (int corner = 0; corner < 4; ++corner) {
             const float s = corner == 1 || corner == 2 ? 1.0f : -1.0f, t = corner >= 2 ? 1.0f : -1.0f;
-            if (per_vertex)
+            if (per_vertex) {
                 material(static_cast<float>(corner) * 0.3f, 0.4f, static_cast<float>(face) * 0.15f);
+            }
             glVertex3f(n[0] + s * u[0] + t * v[0], n[1] + s * u[1] + t * v[1], n[2] + s * u[2] + t * v[2]);
         }
     }
@@ -47,13 +48,14 @@ void cube_of_materials(bool per_vertex)
 void checker_of_quads(float scale)
 {
     glBegin(GL_QUADS);
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i) {
         for (int corner = 0; corner < 4; ++corner) {
             const float x = static_cast<float>(i % 3) - 1 + (corner == 1 || corner == 2 ? 0.45f : -0.45f);
             const float y = static_cast<float>(i / 3) - 0.5f + (corner >= 2 ? 0.45f : -0.45f);
             glColor3f(corner == 0, corner == 1 || corner == 3, corner == 2);
             glVertex3f(x * scale, y * scale, 0.3f * static_cast<float>(corner));
         }
+    }
     glEnd();
 }
 

@@ -43,8 +43,9 @@ SCENE(rectangle_flat_under_a_light_at_a_place)
     glEnable(GL_LIGHTING);
     glShadeModel(GL_FLAT);
     glNormal3f(0, 0, 1);
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
         glRectf(static_cast<float>(i) - 2, -1, static_cast<float>(i) - 1.1f, 1.2f);
+    }
 }
 
 SCENE(smooth_points_attenuated_below_a_pixel)
@@ -59,9 +60,10 @@ SCENE(smooth_points_attenuated_below_a_pixel)
     for (int size = 0; size < 4; ++size) {
         glPointSize(1 + 3 * static_cast<float>(size));
         glBegin(GL_POINTS);
-        for (int i = 0; i < 14; ++i)
+        for (int i = 0; i < 14; ++i) {
             glVertex3f(0.25f * static_cast<float>(i) - 1.7f, 0.4f * static_cast<float>(size) - 0.6f,
                        3.6f - 0.9f * static_cast<float>(i));
+        }
         glEnd();
     }
 }

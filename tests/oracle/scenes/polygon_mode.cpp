@@ -30,14 +30,16 @@ void polygons(bool edge_flags)
         glBegin(modes[cell]);
         for (int i = 0; i < counts[cell]; ++i) {
             const bool zigzag = modes[cell] == GL_TRIANGLE_STRIP || modes[cell] == GL_QUAD_STRIP;
-            if (edge_flags)
+            if (edge_flags) {
                 glEdgeFlag(i % 3 != 1);
+            }
             glColor3f(static_cast<float>(i % 2), static_cast<float>(i % 3) * 0.5f,
                       1 - static_cast<float>(i % 4) * 0.3f);
-            if (zigzag)
+            if (zigzag) {
                 glVertex2f(x + 0.7f * static_cast<float>(i), y + (i % 2 == 0 ? 0.3f : 4.0f));
-            else
+            } else {
                 glVertex2f(x + ring[i][0], y + ring[i][1]);
+            }
         }
         glEnd();
     }

@@ -13,14 +13,16 @@ constexpr GLubyte HALFTONE_ROWS[8] = {0xaa, 0xaa, 0xaa, 0xaa, 0x55, 0x55, 0x55, 
 
 void halftone(GLubyte* out)
 {
-    for (int i = 0; i < 128; ++i)
+    for (int i = 0; i < 128; ++i) {
         out[i] = HALFTONE_ROWS[i % 8];
+    }
 }
 
 void arrow(GLubyte* out)
 {
-    for (int i = 0; i < 128; ++i)
+    for (int i = 0; i < 128; ++i) {
         out[i] = static_cast<GLubyte>(i % 4 == 0 ? 0xf0 >> (i / 16 % 4) : i * 37 + i / 4);
+    }
 }
 
 } // namespace
@@ -78,8 +80,9 @@ SCENE(polygon_stipple_reads_as_pixels_are_stored)
 {
     two_dimensions();
     GLubyte image[40 * 8];
-    for (int i = 0; i < 320; ++i)
+    for (int i = 0; i < 320; ++i) {
         image[i] = static_cast<GLubyte>(i * 29 + i / 8 * 5);
+    }
     glEnable(GL_POLYGON_STIPPLE);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 64);
     glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
@@ -95,8 +98,9 @@ SCENE(polygon_stipple_reads_as_pixels_are_stored)
     std::memset(back, 0, sizeof back);
     glGetPolygonStipple(back);
     unsigned sum = 0;
-    for (int i = 0; i < 128; ++i)
+    for (int i = 0; i < 128; ++i) {
         sum = sum * 31 + back[i];
+    }
     tell("stipple " + std::to_string(sum));
 }
 

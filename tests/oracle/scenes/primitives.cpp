@@ -95,14 +95,16 @@ SCENE(incomplete_primitives_draw_what_is_whole)
     glShadeModel(GL_FLAT);
     const GLenum modes[] = {GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES,
                             GL_QUADS, GL_QUAD_STRIP, GL_POLYGON};
-    for (int count = 0; count < 6; ++count)
+    for (int count = 0; count < 6; ++count) {
         for (int m = 0; m < 7; ++m) {
             glBegin(modes[m]);
             glColor3f(0.9f, 0.2f + 0.1f * static_cast<float>(m), 0.1f * static_cast<float>(count));
-            for (int i = 0; i < count; ++i)
+            for (int i = 0; i < count; ++i) {
                 glVertex2d(2.3 * m + (i % 2 ? 1.6 : 0.2) + 0.1 * i, 2.0 * count + (i / 2 % 2 ? 1.6 : 0.2));
+            }
             glEnd();
         }
+    }
 }
 
 SCENE(attributes_set_in_the_middle)

@@ -30,8 +30,9 @@ const assets::Assets& assets()
 void draw_link(const std::string& link)
 {
     app::Simulation simulation(assets());
-    for (const std::string& message : simulation.open_link(link).messages)
+    for (const std::string& message : simulation.open_link(link).messages) {
         tell(message);
+    }
     scene::SceneRenderer renderer;
     tell(renderer.load(assets()));
     renderer.draw(simulation.frame(), PROGRAM_SIZE.width, PROGRAM_SIZE.height);

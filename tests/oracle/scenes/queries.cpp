@@ -15,8 +15,9 @@ namespace {
 template <class T> std::string joined(const std::vector<T>& values)
 {
     std::string text;
-    for (const T& v : values)
+    for (const T& v : values) {
         text += " " + std::to_string(v);
+    }
     return text;
 }
 
@@ -55,16 +56,17 @@ void tell_light(GLenum light)
                             GL_LINEAR_ATTENUATION,
                             GL_QUADRATIC_ATTENUATION};
     const int counts[] = {4, 4, 4, 4, 3, 1, 1, 1, 1, 1};
-    for (int n = 0; n < 10; ++n)
+    for (int n = 0; n < 10; ++n) {
         tell_parameter(
             "light " + std::to_string(names[n]), counts[n],
             [&](GLfloat* v) { glGetLightfv(light, names[n], v); },
             [&](GLint* v) { glGetLightiv(light, names[n], v); });
+    }
 }
 
 void tell_material(GLenum face)
 {
-    for (GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS, GL_COLOR_INDEXES})
+    for (GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS, GL_COLOR_INDEXES}) {
         tell_parameter(
             "material " + std::to_string(name),
             name == GL_SHININESS       ? 1
@@ -72,6 +74,7 @@ void tell_material(GLenum face)
                                        : 4,
             [&](GLfloat* v) { glGetMaterialfv(face, name, v); },
             [&](GLint* v) { glGetMaterialiv(face, name, v); });
+    }
 }
 
 void tell_environment()
@@ -79,16 +82,17 @@ void tell_environment()
     for (GLenum name : {GL_TEXTURE_ENV_MODE, GL_COMBINE_RGB, GL_COMBINE_ALPHA, GL_SOURCE0_RGB, GL_SOURCE1_RGB,
                         GL_SOURCE2_RGB, GL_SOURCE0_ALPHA, GL_SOURCE1_ALPHA, GL_SOURCE2_ALPHA, GL_OPERAND0_RGB,
                         GL_OPERAND1_RGB, GL_OPERAND2_RGB, GL_OPERAND0_ALPHA, GL_OPERAND1_ALPHA,
-                        GL_OPERAND2_ALPHA, GL_RGB_SCALE, GL_ALPHA_SCALE, GL_TEXTURE_ENV_COLOR})
+                        GL_OPERAND2_ALPHA, GL_RGB_SCALE, GL_ALPHA_SCALE, GL_TEXTURE_ENV_COLOR}) {
         tell_parameter(
             "environment " + std::to_string(name), name == GL_TEXTURE_ENV_COLOR ? 4 : 1,
             [&](GLfloat* v) { glGetTexEnvfv(GL_TEXTURE_ENV, static_cast<GLenum>(name), v); },
             [&](GLint* v) { glGetTexEnviv(GL_TEXTURE_ENV, static_cast<GLenum>(name), v); });
+    }
 }
 
 void tell_generation()
 {
-    for (GLenum coordinate : {GL_S, GL_T, GL_R, GL_Q})
+    for (GLenum coordinate : {GL_S, GL_T, GL_R, GL_Q}) {
         for (GLenum name : {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE}) {
             const int count = name == GL_TEXTURE_GEN_MODE ? 1 : 4;
             tell_parameter(
@@ -99,6 +103,7 @@ void tell_generation()
             glGetTexGendv(coordinate, name, doubles);
             tell(joined(std::vector<GLdouble>(doubles, doubles + count)));
         }
+    }
 }
 
 } // namespace

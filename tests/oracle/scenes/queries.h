@@ -20,11 +20,13 @@ inline void tell_state(const char* name, GLenum which, int count)
     glGetFloatv(which, floats);
     glGetDoublev(which, doubles);
     std::string line = name;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count; ++i) {
         line += (i ? " | " : ": ") + std::to_string(booleans[i]) + " " + std::to_string(integers[i]) + " " +
                 std::to_string(floats[i]) + " " + std::to_string(doubles[i]);
-    for (unsigned code; (code = next_error()) != GL_NO_ERROR;)
+    }
+    for (unsigned code; (code = next_error()) != GL_NO_ERROR;) {
         line += " error " + std::to_string(code);
+    }
     tell(line);
 }
 

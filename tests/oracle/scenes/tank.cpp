@@ -40,14 +40,18 @@ constexpr Named VIEWS[] = {
 };
 
 [[maybe_unused]] const bool registered = [] {
-    for (const Named& camera : CAMERAS)
-        for (const Named& pose : POSES)
+    for (const Named& camera : CAMERAS) {
+        for (const Named& pose : POSES) {
             oracle::add_link(std::string("tank_") + camera.name + "_" + pose.name,
                              std::string(camera.link) + "&" + pose.link);
-    for (const Named& view : VIEWS)
+        }
+    }
+    for (const Named& view : VIEWS) {
         oracle::add_link(std::string("view_") + view.name, view.link);
-    for (const Named& shadow : SHADOWS)
+    }
+    for (const Named& shadow : SHADOWS) {
         oracle::add_link(std::string("shadow_") + shadow.name, shadow.link);
+    }
     return true;
 }();
 

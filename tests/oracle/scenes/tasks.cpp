@@ -31,12 +31,14 @@ constexpr Named OTHERS[] = {
         const std::string kind(app::link_key(task.kind));
         oracle::add_link(kind + "_" + id, kind + "=" + std::string(task.id));
     }
-    for (const particles::Preset& preset : particles::presets())
+    for (const particles::Preset& preset : particles::presets()) {
         oracle::add_link("particles_" + std::string(preset.id),
                          "distance=22&look_x=6&look_y=3&event=open&tick=150&particles=" +
                              std::string(preset.id));
-    for (const Named& other : OTHERS)
+    }
+    for (const Named& other : OTHERS) {
         oracle::add_link(std::string("program_") + other.name, other.link);
+    }
     return true;
 }();
 

@@ -19,13 +19,14 @@ SCENE(texture_clamp_shows_the_border_colour)
     int i = 0;
     for (GLint format : {GL_RGBA, GL_LUMINANCE, GL_RGB}) {
         glTexImage2D(GL_TEXTURE_2D, 0, format, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, noise(64).data());
-        for (GLenum wrap : {GL_CLAMP, GL_CLAMP_TO_BORDER})
+        for (GLenum wrap : {GL_CLAMP, GL_CLAMP_TO_BORDER}) {
             for (GLenum filter : {GL_NEAREST, GL_LINEAR}) {
                 parameters(filter, wrap);
                 quad(4 * static_cast<float>(i % 4) + 0.1f, 4 * static_cast<float>(i / 4) + 0.1f, 3.8f, 3.8f,
                      -0.4f, 1.4f);
                 ++i;
             }
+        }
     }
 }
 
@@ -58,8 +59,9 @@ SCENE(texture_clamp_with_mipmaps, {4, "the border's weight at the change of leve
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     std::vector<GLubyte> pixels(64 * 64 * 3);
-    for (std::size_t i = 0; i < pixels.size(); ++i)
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
         pixels[i] = static_cast<GLubyte>(i / 3 % 64 * 2 + i / 192 * 2);
+    }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 64, 64, 0, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
     glRotatef(30, 1, 1, 0);
     cube();

@@ -18,8 +18,9 @@ void tell_texels(GLenum target, GLint level, GLenum format, GLenum type, std::si
     std::vector<GLubyte> out(bytes, 77);
     glGetTexImage(target, level, format, type, out.data());
     std::string line = "texels";
-    for (GLubyte b : out)
+    for (GLubyte b : out) {
         line += " " + std::to_string(b);
+    }
     tell(line);
     tell_error("texels");
 }
@@ -42,14 +43,16 @@ SCENE(texture_client_formats_and_types)
     const GLenum formats[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA,
                               GL_RGB, GL_RGBA,  GL_BGR,  GL_BGRA};
     const GLenum types[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT};
-    for (int f = 0; f < 10; ++f)
+    for (int f = 0; f < 10; ++f) {
         for (int t = 0; t < 3; ++t) {
             glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, formats[f], types[t], bytes.data());
             quad(1.5f * static_cast<float>(f) + 0.2f, 3 * static_cast<float>(t) + 0.2f, 1.4f, 2.5f);
         }
+    }
     std::vector<GLfloat> floats(256);
-    for (std::size_t i = 0; i < 256; ++i)
+    for (std::size_t i = 0; i < 256; ++i) {
         floats[i] = static_cast<GLfloat>(bytes[i]) / 200 - 0.1f;
+    }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_FLOAT, floats.data());
     quad(0.2f, 9.3f, 5, 2.5f);
     glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
@@ -238,9 +241,10 @@ SCENE(texture_generated_levels_read_back,
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
     std::vector<GLubyte> texels;
-    for (unsigned i = 0, noise = 1; i < 63 * 35 * 4; ++i, noise = noise * 1664525 + 1013904223)
+    for (unsigned i = 0, noise = 1; i < 63 * 35 * 4; ++i, noise = noise * 1664525 + 1013904223) {
         texels.push_back(static_cast<GLubyte>(noise >> 24));
-    for (const auto& [width, height] : {std::array{32, 16}, {63, 35}, {5, 9}, {31, 1}, {1, 6}})
+    }
+    for (const auto& [width, height] : {std::array{32, 16}, {63, 35}, {5, 9}, {31, 1}, {1, 6}}) {
         for (const auto& [format, components] :
              {std::array{GL_RGBA, 4}, {GL_RGB, 3}, {GL_LUMINANCE_ALPHA, 2}}) {
             glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, static_cast<GLenum>(format),
@@ -252,11 +256,13 @@ SCENE(texture_generated_levels_read_back,
                               read.data());
                 std::string line = std::to_string(width) + " x " + std::to_string(height) + " level " +
                                    std::to_string(level) + ":";
-                for (const GLubyte component : read)
+                for (const GLubyte component : read) {
                     line += " " + std::to_string(component);
+                }
                 tell(line);
             }
         }
+    }
 }
 
 SCENE(texture_parameters_and_their_errors)
@@ -271,8 +277,9 @@ SCENE(texture_parameters_and_their_errors)
             glGetTexParameterfv(target, name, reals);
             glGetTexParameteriv(target, name, integers);
             std::string line = std::to_string(name);
-            for (int i = 0; i < 4; ++i)
+            for (int i = 0; i < 4; ++i) {
                 line += " " + std::to_string(reals[i]) + " " + std::to_string(integers[i]);
+            }
             tell_error(line);
         }
     };
@@ -318,12 +325,14 @@ SCENE(texture_texels_come_back)
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     for (GLint internal : {GL_RGBA, GL_RGB, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_INTENSITY}) {
         glTexImage2D(GL_TEXTURE_2D, 0, internal, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-        for (GLenum format : {GL_RGBA, GL_RGB, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED, GL_BGRA})
+        for (GLenum format : {GL_RGBA, GL_RGB, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED, GL_BGRA}) {
             tell_texels(GL_TEXTURE_2D, 0, format, GL_UNSIGNED_BYTE, 16);
+        }
     }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-    for (GLenum type : {GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_FLOAT})
+    for (GLenum type : {GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_FLOAT}) {
         tell_texels(GL_TEXTURE_2D, 0, GL_RGBA, type, 64);
+    }
     glPixelStorei(GL_PACK_ROW_LENGTH, 3);
     glPixelStorei(GL_PACK_SKIP_PIXELS, 1);
     glPixelStorei(GL_PACK_SKIP_ROWS, 1);
@@ -340,8 +349,9 @@ SCENE(texture_names_and_residence)
     GLuint names[3] = {};
     glGenTextures(3, names);
     tell(std::to_string(glIsTexture(names[0])) + std::to_string(glIsTexture(0)));
-    for (GLuint name : names)
+    for (GLuint name : names) {
         glBindTexture(GL_TEXTURE_2D, name);
+    }
     glBindTexture(GL_TEXTURE_1D, names[0]);
     tell_error("another target");
     tell(std::to_string(glIsTexture(names[0])) + std::to_string(glIsTexture(names[2])));

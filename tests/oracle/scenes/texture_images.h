@@ -49,8 +49,9 @@ inline void tell_level(GLenum target, GLint level)
     for (GLenum name : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT, GL_TEXTURE_BORDER,
                         GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
                         GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_INTENSITY_SIZE}) {
-        if (name == GL_TEXTURE_INTERNAL_FORMAT && width == 0)
+        if (name == GL_TEXTURE_INTERNAL_FORMAT && width == 0) {
             continue;
+        }
         GLint integer = -7;
         GLfloat real = -7;
         glGetTexLevelParameteriv(target, level, name, &integer);

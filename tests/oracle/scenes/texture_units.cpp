@@ -26,8 +26,9 @@ void checker(GLubyte r, GLubyte g, GLubyte b, int cells)
     std::vector<GLubyte> pixels;
     for (int i = 0; i < 16 * 16; ++i) {
         const bool dark = (i % 16 / cells + i / 16 / cells) % 2 != 0;
-        for (GLubyte c : {r, g, b})
+        for (GLubyte c : {r, g, b}) {
             pixels.push_back(dark ? static_cast<GLubyte>(c / 4) : c);
+        }
         pixels.push_back(dark ? 90 : 230);
     }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());

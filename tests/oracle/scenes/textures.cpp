@@ -12,8 +12,8 @@ namespace {
 std::vector<GLubyte> picture(int width, int height, int channels)
 {
     std::vector<GLubyte> pixels(static_cast<std::size_t>(width) * height * channels);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
             for (int c = 0; c < channels; ++c) {
                 const int checker = (x / 4 + y / 4) % 2 ? 180 : 40;
                 const int value = c == 0   ? checker + x
@@ -23,6 +23,8 @@ std::vector<GLubyte> picture(int width, int height, int channels)
                 pixels[(static_cast<std::size_t>(y) * width + x) * channels + c] =
                     static_cast<GLubyte>(value & 255);
             }
+        }
+    }
     return pixels;
 }
 
@@ -88,8 +90,9 @@ SCENE(texture_given_mipmaps)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     for (int level = 0, size = 32; size > 0; ++level, size /= 2) {
         std::vector<GLubyte> pixels(static_cast<std::size_t>(size) * size * 3);
-        for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
             pixels[i] = static_cast<GLubyte>(i % 3 == static_cast<std::size_t>(level) % 3 ? 230 : 30 * level);
+        }
         glTexImage2D(GL_TEXTURE_2D, level, 3, size, size, 0, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
     }
     glEnable(GL_TEXTURE_2D);
@@ -183,7 +186,7 @@ SCENE(texture_wrap_modes)
     two_dimensions();
     const GLenum modes[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
     texture(GL_RGB, 3, 16, 16, GL_LINEAR, GL_LINEAR);
-    for (int s = 0; s < 3; ++s)
+    for (int s = 0; s < 3; ++s) {
         for (int t = 0; t < 3; ++t) {
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(modes[s]));
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(modes[t]));
@@ -195,6 +198,7 @@ SCENE(texture_wrap_modes)
             }
             glEnd();
         }
+    }
 }
 
 SCENE(texture_unpacking)

@@ -61,8 +61,9 @@ SCENE(viewport_is_cut_to_the_greatest)
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, limits);
     glViewport(0, 0, 100000, 200000);
     glGetIntegerv(GL_VIEWPORT, viewport);
-    for (const GLint value : viewport)
+    for (const GLint value : viewport) {
         oracle::tell(std::to_string(value));
+    }
     oracle::tell(std::to_string(limits[0]) + " " + std::to_string(limits[1]));
     glBegin(GL_TRIANGLES);
     glColor3f(1, 0, 0);
@@ -163,8 +164,9 @@ SCENE(level_of_detail_biased_by_unit_and_texture)
 {
     oracle::two_dimensions();
     GLubyte texels[64 * 64 * 3];
-    for (int i = 0; i < 64 * 64 * 3; ++i)
+    for (int i = 0; i < 64 * 64 * 3; ++i) {
         texels[i] = static_cast<GLubyte>(i * 29);
+    }
     gluBuild2DMipmaps(GL_TEXTURE_2D, GL_RGB, 64, 64, GL_RGB, GL_UNSIGNED_BYTE, texels);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glEnable(GL_TEXTURE_2D);

@@ -35,7 +35,7 @@ typedef enum LegacyGLTarget
 /** Makes a context for the OpenGL ES 3 / WebGL 2 context that is current, and makes it current.
     loader: finds the ES functions; NULL on the web, where they are linked.
     width, height: the target's size in pixels, at least 1.
-    Returns NULL when the size is not positive or a needed function is missing; legacygl_last_message()
+    Returns NULL when the size is not positive or a required function is missing; legacygl_last_message()
     then says which. The ES context must stay current while this context is used, and its state belongs
     to legacygl from then on. */
 LegacyGLContext* legacygl_create(LegacyGLLoader loader, int width, int height, LegacyGLTarget target);
